@@ -56,8 +56,6 @@
 //!       ↓   ↓
 //! joints ─→ sh        view-dependent colour, for imported avatars that have it
 //!       │   ↓
-//!       ├→ occluder   the body's inside as a depth pyramid: what stands behind it is culled
-//!       │   ↓
 //!       └→ project    sparse correctives, skinning, projection, culling, depth key
 //!           ↓
 //!          sort       stable, far to near

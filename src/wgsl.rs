@@ -59,8 +59,6 @@ modules! {
     SH_1 = "sh/sh_1", "sh/sh.comp", &[("DEGREE", "1u")];
     SH_2 = "sh/sh_2", "sh/sh.comp", &[("DEGREE", "2u")];
     SH_3 = "sh/sh_3", "sh/sh.comp", &[("DEGREE", "3u")];
-    OCCLUDER_DEPTH = "occluder/depth", "occluder/depth.vert", &[];
-    OCCLUDER_PYRAMID = "occluder/pyramid", "occluder/pyramid.comp", &[];
     PROJECT = "project/project", "project/project.comp", &[("STORE", "false")];
     PROJECT_STORE = "project/project_store", "project/project.comp", &[("STORE", "true")];
     PROJECT_CACHED = "project/project_cached", "project/project_cached.comp", &[];

@@ -39,10 +39,6 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     uint network_quads;
     uint key_start;
     float cutoff;
-    float occluder_margin;
-    uint pyramid_start;
-    vec2 occluder_origin;
-    vec2 occluder_scale;
     float quad_opacity;
     uint body_quads;
     float log_scale_min;

@@ -2,10 +2,10 @@
 // the space of the camera for which they were written. A position has 24 bits a coordinate: with 16,
 // 30 µm on a body, Gaussians of nearly one depth change places.
 //
-//   three for each Gaussian   x y (high 16 bits each) | z (high 16 bits), longest axis (8 bits),
-//                             opacity | x, y, z (low 8 bits each)
-//   three for each Gaussian   L, lower triangular with Σ = L Lᵀ, in 1023rds of the longest axis, 11
-//                             bits each, and RGB, 10 bits each:
+//   three for each Gaussian   x y (high 16 bits each) | z (high 16 bits), size (8 bits), opacity |
+//                             x, y, z (low 8 bits each)
+//   three for each Gaussian   L, lower triangular with Σ = L Lᵀ, in 1023rds of the size, 11 bits
+//                             each, and RGB, 10 bits each:
 //                             L00 L10, red | L11 L20, green | L21 L22, blue
 
 // Share of a coordinate's codes for what lies beyond each end of its range.
@@ -31,16 +31,17 @@ vec3 decode_position(uvec3 code) {
                greaterThan(at, vec3(1.0 - CACHE_TAIL)));
 }
 
-// Longest axis, metres: eight steps an octave, from 2⁻¹⁹ of frame.cache_unit on.
-float cached_longest(uvec3 words) {
+// Size, metres: the largest standard deviation along one of the space's axes, which bounds every
+// number of L; rounded up to eight steps an octave, from 2⁻¹⁹ of frame.cache_unit on.
+float cached_size(uvec3 words) {
     return frame.cache_unit * exp2(float(words.y >> 16u & 0xffu) / 8.0 - 19.0);
 }
 
 // The first three words. `m`: the axes in camera space. NaN is written as opacity 0, which is never
 // drawn.
-uvec3 cache_position(vec3 p, float longest, mat3 m, uint opacity) {
+uvec3 cache_position(vec3 p, mat3 m, uint opacity) {
     mat3 t = transpose(m);
-    float size = max(longest, sqrt(max(max(dot(t[0], t[0]), dot(t[1], t[1])), dot(t[2], t[2]))));
+    float size = sqrt(max(max(dot(t[0], t[0]), dot(t[1], t[1])), dot(t[2], t[2])));
     float code = ceil(8.0 * log2(max(size / frame.cache_unit, 1e-30)) + 152.0);
     bool valid = all(lessThan(abs(p), vec3(1e30))) && size <= 1e18;
     vec3 relative = valid ? (p - frame.cache_min.xyz) / frame.cache_size.xyz : vec3(0.0);
@@ -68,7 +69,7 @@ uvec3 cache_shape(mat3 m, uvec3 words, vec3 color) {
     float l20 = dot(c, a);
     float l21 = dot(c, b);
     float l22 = length(c - l20 * a - l21 * b);
-    float unit = 1023.0 / cached_longest(words);
+    float unit = 1023.0 / cached_size(words);
     uvec3 first = uvec3(clamp(round(vec3(l00, l11, l21) * unit) + 1023.0, 0.0, 2046.0));
     uvec3 second = uvec3(clamp(round(vec3(l10, l20, l22) * unit) + 1023.0, 0.0, 2046.0));
     return first | second << 11u | uvec3(round(color * 1023.0)) << 22u;
@@ -83,7 +84,7 @@ vec3 cached_position(uvec3 words) {
 
 // The columns of L, metres.
 mat3 cached_axes(uvec3 words, uvec3 shape) {
-    float unit = cached_longest(words) / 1023.0;
+    float unit = cached_size(words) / 1023.0;
     vec3 first = (vec3(shape & 0x7ffu) - 1023.0) * unit;
     vec3 second = (vec3(shape >> 11u & 0x7ffu) - 1023.0) * unit;
     return mat3(first.x, second.x, second.y, 0.0, first.y, first.z, 0.0, 0.0, second.z);

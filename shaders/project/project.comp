@@ -18,6 +18,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Gaussians { uvec2 gaussians
 layout(std430, set = 0, binding = 2) readonly buffer Rows { uint rows[]; };
 layout(std430, set = 0, binding = 3) readonly buffer PoseBuffer { uvec2 pose[]; };
 layout(std430, set = 0, binding = 4) buffer Splats { uint words[]; };
+#include "common/pose.glsl"
 #include "project/projection.glsl"
 
 uint feature_of(uint head) { return frame.feature_start + (head >> 16u) * frame.feature_quads; }
@@ -132,12 +133,9 @@ uint project_gaussian(uint index) {
     add_joint(joint.w, joint_weight.w, r0, r1, r2);
     vec3 p = vec3(dot(r0, x), dot(r1, x), dot(r2, x));
     mat3 linear = mat3(r0.xyz, r1.xyz, r2.xyz);
-    float largest_log_scale = max(max(log_scale.x, log_scale.y), log_scale.z);
-    float longest = LONGEST_MARGIN * exp(min(largest_log_scale, LOG_SCALE_MAX)) *
-                    sqrt(max(max(dot(r0.xyz, r0.xyz), dot(r1.xyz, r1.xyz)), dot(r2.xyz, r2.xyz)));
     vec2 center;
     float key;
-    bool visible = project_center(p, longest, center, key);
+    bool visible = project_center(p, center, key);
     if (!STORE && !visible) {
         return SORT_CULLED;
     }
@@ -162,7 +160,7 @@ uint project_gaussian(uint index) {
     if (STORE) {
         mat3 m = transpose(linear) * axes;
         uint at = frame.cache_start + 3u * index;
-        uvec3 first = cache_position(p, longest, m, opacity);
+        uvec3 first = cache_position(p, m, opacity);
         uvec3 rest = cache_shape(m, first, clamp(color, 0.0, 1.0));
         words[at] = first.x;
         words[at + 1u] = first.y;

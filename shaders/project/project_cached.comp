@@ -8,8 +8,7 @@
 #include "project/pose_cache.glsl"
 
 WORKGROUP(3, PROJECT_WORKGROUP)
-layout(std430, set = 0, binding = 1) readonly buffer PoseBuffer { uvec2 pose[]; };
-layout(std430, set = 0, binding = 2) buffer Splats { uint words[]; };
+layout(std430, set = 0, binding = 1) buffer Splats { uint words[]; };
 #include "project/projection.glsl"
 
 // Writes the splat at `index` of the avatar's own; gives its key.
@@ -22,7 +21,7 @@ uint project_gaussian(uint index) {
                   dot(frame.camera_from_cache[2], x));
     vec2 center;
     float key;
-    if (!project_center(p, cached_longest(position), center, key)) {
+    if (!project_center(p, center, key)) {
         return SORT_CULLED;
     }
     if (float(opacity) <= frame.cutoff) {

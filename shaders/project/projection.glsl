@@ -1,6 +1,5 @@
 // From a Gaussian in the camera's space to a splat and its key: culling and projection (model.md,
-// step 8). The including shader declares the pose buffer (common/pose.glsl) and `words`, the
-// splats' buffer: four words a Gaussian, then from frame.key_start on the keys, two a word if
+// step 8). The including shader declares `words`, the splats' buffer: four words a Gaussian, then from frame.key_start on the keys, two a word if
 // frame.half_keys is set, then from frame.count_start on the sort's first counts.
 #ifdef WEB
 // In WGSL all accesses to an array with atomics are atomic, so the counts have a buffer of their
@@ -17,51 +16,12 @@ PARAMETER(2, uint, COUNTS_AT, 0u)
 #define FIRST_COUNTS_TILE frame.count_tile
 #include "sort/first_counts.glsl"
 #include "project/culled.glsl"
-#include "common/pose.glsl"
 
 shared uint workgroup_keys[WORKGROUP_SIZE(PROJECT_WORKGROUP)];
 
-// Whether a square of the image is entirely behind the occluder, by half a texel to spare since a
-// texel's depth is that of its middle. `center` and `radius`: px. `depth`: 1 less the key.
-bool hidden(vec2 center, float radius, float depth) {
-    const float last = float(PYRAMID_SIDE - 1u);
-    vec2 first_texel = (center - radius - frame.occluder_origin) * frame.occluder_scale - 0.5;
-    vec2 last_texel = (center + radius - frame.occluder_origin) * frame.occluder_scale + 0.5;
-    uvec2 low = uvec2(clamp(first_texel, 0.0, last));
-    uvec2 high = uvec2(clamp(last_texel, 0.0, last));
-    uint span = max(high.x - low.x, high.y - low.y);
-    // The level on which the square spans at most five texels along each side.
-    uint level = span <= 3u ? 0u : uint(findMSB(span - 1u)) - 1u;
-    if (!(level < PYRAMID_LEVELS)) {
-        return false;
-    }
-    // Texels of the finer levels: PYRAMID_SIDE² · (1 + 1/4 + …).
-    const uint third = PYRAMID_SIDE * PYRAMID_SIDE / 3u;
-    uint width = PYRAMID_SIDE >> level;
-    uint start = 4u * (third - (third >> 2u * level));
-    low >>= level;
-    high >>= level;
-    float furthest = 0.0;
-    uint x = low.x & ~3u, y = low.y;
-    // SwiftShader loses what an invocation has found in a loop that others of its subgroup go on
-    // with, if the loop's condition stands at its end.
-    while (y <= high.y) {
-        vec4 columns = float(x) + vec4(0.0, 1.0, 2.0, 3.0);
-        bvec4 left = lessThan(columns, vec4(low.x)), right = greaterThan(columns, vec4(high.x));
-        vec4 texels = pyramid_texels(start + y * width + x);
-        vec4 four = mix(mix(texels, vec4(0.0), left), vec4(0.0), right);
-        furthest = max(furthest, max(max(four.x, four.y), max(four.z, four.w)));
-        bool next = x + 4u > high.x;
-        x = next ? low.x & ~3u : x + 4u;
-        y += next ? 1u : 0u;
-    }
-    return depth > furthest;
-}
-
 // Projects a mean `p` in camera space, metres: gives its centre in the image, px, and its key, 0 to
-// 1. False if the Gaussian is culled. `longest`: at least its longest axis, metres. Comparisons are
-// written so that NaN fails them.
-bool project_center(vec3 p, float longest, out vec2 center, out float key) {
+// 1. False if the Gaussian is culled. Comparisons are written so that NaN fails them.
+bool project_center(vec3 p, out vec2 center, out float key) {
     center = vec2(0.0);
     key = 0.0;
     if (!(p.z >= frame.near)) {
@@ -75,16 +35,6 @@ bool project_center(vec3 p, float longest, out vec2 center, out float key) {
         return false;
     }
     key = key_of(p.z);
-    float stretched =
-        longest * length(vec3(p.xy / p.z, 1.0)) * max(frame.focal.x, frame.focal.y) / p.z;
-    // Its opacity has not been read yet: take the radius of an opaque one.
-    if (frame.pyramid_start > 0u &&
-        hidden(center,
-               radius_of(255u) * sqrt(frame.covariance_scale) * (stretched + sqrt(frame.low_pass)),
-               1.0 - key)) {
-        count_culled(HIDDEN);
-        return false;
-    }
     return true;
 }
 

@@ -1,7 +1,7 @@
 //! Messages from other threads to the viewer, through winit's event loop.
 
 use crate::{dropped::DroppedContent, file_list::LoadedAvatar};
-use effigy_core::{avatar::Avatar, layout::PackedOccluder};
+use effigy_core::avatar::Avatar;
 use std::{path::PathBuf, sync::Arc};
 
 /// A message from another thread.
@@ -14,13 +14,6 @@ pub enum Message {
         index: usize,
         /// The avatar and its clips.
         loaded: Box<LoadedAvatar>,
-    },
-    /// The occluder mesh of an avatar has been made.
-    Occluder {
-        /// The avatar.
-        avatar: Arc<Avatar>,
-        /// Its mesh.
-        mesh: Box<PackedOccluder>,
     },
     /// Files that were dropped on the window have been read.
     Dropped(Box<DroppedRead>),

@@ -14,8 +14,6 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::Skip,
-    layout::PackedOccluder,
     scene::{Camera, Posed},
 };
 use effigy_runtime::governor::FrameQuality;
@@ -81,8 +79,6 @@ pub struct WindowPainter {
     validator: Option<FrameValidator>,
     /// The next frame is to be validated.
     validation_requested: bool,
-    /// The avatar's occluder mesh is missing: no first frame waits for it.
-    wants_occluder: bool,
     /// The earliest time to show the next frame, nanoseconds of the system's monotonic clock.
     show_at: Option<u64>,
     gpu: Arc<Gpu>,
@@ -105,7 +101,7 @@ impl WindowPainter {
     ) -> anyhow::Result<Self> {
         // Most of a start is the driver's: the avatar is packed meanwhile.
         let (device, prepared) = std::thread::scope(|scope| {
-            let prepared = scope.spawn(|| PreparedAvatar::without_occluder(avatar));
+            let prepared = scope.spawn(|| PreparedAvatar::new(avatar));
             let device = device::open(window, options);
             let prepared = prepared.join().unwrap_or_else(|panic| resume_unwind(panic));
             (device, prepared)
@@ -146,7 +142,6 @@ impl WindowPainter {
             drawing,
             validator: None,
             validation_requested: false,
-            wants_occluder: full_quality.skip.contains(Skip::HIDDEN),
             show_at: None,
             gpu,
             target,
@@ -163,12 +158,11 @@ impl WindowPainter {
     /// # Errors
     /// Those of [`Renderer::from_prepared`], and when a check of the avatar finds a fault.
     pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<()> {
-        let prepared = PreparedAvatar::without_occluder(avatar)?;
+        let prepared = PreparedAvatar::new(avatar)?;
         // Before what frames under way use goes.
         self.renderer.finish()?;
         if self.renderer.replace_avatar(&prepared)? {
             self.validator = None;
-            self.wants_occluder = self.full_quality.skip.contains(Skip::HIDDEN);
             return self.set_quality(&FrameQuality::FULL);
         }
         let options = self.full_quality();
@@ -179,22 +173,7 @@ impl WindowPainter {
         unsafe { self.present.set_image(renderer.raster().image()) };
         self.renderer = renderer;
         self.drawing = drawing(&self.renderer, self.full_quality);
-        self.wants_occluder = self.full_quality.skip.contains(Skip::HIDDEN);
         Ok(())
-    }
-
-    /// Leaves out what is hidden behind this mesh of the avatar, from the next frame on.
-    ///
-    /// # Errors
-    /// Those of [`Renderer::add_occluder`]. Frames are drawn without it then.
-    pub fn add_occluder(&mut self, mesh: &PackedOccluder) -> Result<()> {
-        self.wants_occluder = false;
-        self.renderer.add_occluder(mesh)
-    }
-
-    /// Whether an occluder mesh is to be made: true once.
-    pub fn take_occluder_request(&mut self) -> bool {
-        std::mem::take(&mut self.wants_occluder)
     }
 
     /// The device.

@@ -21,7 +21,7 @@ use crate::{
 };
 use anyhow::Context;
 use effigy::vulkan::{Error, RendererOptions};
-use effigy_core::{avatar::Avatar, layout::PackedOccluder};
+use effigy_core::avatar::Avatar;
 use effigy_runtime::slow_start::SlowStart;
 use std::{path::PathBuf, sync::Arc, time::Instant};
 use winit::{
@@ -407,40 +407,11 @@ impl Viewer {
             }
             Message::Loaded { index, loaded } => self.show_avatar(index, *loaded),
             Message::Dropped(read) => self.show_dropped(*read),
-            Message::Occluder { avatar, mesh } => {
-                self.add_occluder(&avatar, &mesh);
-                Ok(())
-            }
             Message::Newer { avatar, .. } => self.show_newer(avatar),
             Message::Close => {
                 event_loop.exit();
                 Ok(())
             }
-        }
-    }
-
-    /// Makes the shown avatar's occluder mesh on another thread.
-    fn make_occluder(&self) {
-        let proxy = self.proxy.clone();
-        let avatar = self.scene.avatar().clone();
-        let make = move || {
-            let mesh = Box::new(PackedOccluder::new(&avatar));
-            // If the window is closed already, no one is left to receive it.
-            let _ = proxy.send_event(Message::Occluder { avatar, mesh });
-        };
-        let thread = std::thread::Builder::new().name("occluder".into());
-        if let Err(error) = thread.spawn(make) {
-            tracing::warn!("nothing hidden is left out of frames: {error}");
-        }
-    }
-
-    fn add_occluder(&mut self, avatar: &Arc<Avatar>, mesh: &PackedOccluder) {
-        if Arc::ptr_eq(self.scene.avatar(), avatar)
-            && let Some(painter) = &mut self.painter
-            && let Err(error) = painter.add_occluder(mesh)
-        {
-            // Frames are right without it. A device that was lost says so with the next one.
-            tracing::warn!("nothing hidden is left out of frames: {error}");
         }
     }
 
@@ -752,7 +723,6 @@ impl Viewer {
             return Ok(());
         };
         let FrameContent { background, .. } = frame.content;
-        let wants_occluder = painter.take_occluder_request();
         let [width, height] = self.frame_size;
         let number = self.clock.frames();
         tracing::debug!("frame {number} at {:.3} s, {width} × {height}", frame.began);
@@ -783,9 +753,6 @@ impl Viewer {
         self.captures.trace_frame(painter);
         self.clock.end_frame(&frame, painter.report());
         self.captures.save_screenshot(painter, background)?;
-        if wants_occluder {
-            self.make_occluder();
-        }
         Ok(())
     }
 

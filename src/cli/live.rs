@@ -7,10 +7,7 @@ use crate::source::{CaptureArgs, check_joints, clip};
 use effigy::vulkan::{GpuOptions, RendererOptions};
 use effigy_app::{Display, ViewerOptions, live::LiveAvatar};
 use effigy_capture::Capture;
-use effigy_core::{
-    avatar::{Avatar, Clip},
-    frame::Skip,
-};
+use effigy_core::avatar::{Avatar, Clip};
 use indicatif::ProgressBar;
 use std::{
     panic::resume_unwind,
@@ -92,16 +89,11 @@ impl Window {
                 ends.store(true, Ordering::Release);
                 trained
             });
-            let renderer = RendererOptions::new(SIZE);
             let options = ViewerOptions {
                 gpu: self.gpu,
                 live: true,
                 message: Some("It is being learned, and shown anew every few seconds".into()),
-                ..ViewerOptions::new(RendererOptions {
-                    // The mesh that hides what lies behind it would be made for every state.
-                    skip: renderer.skip - Skip::HIDDEN,
-                    ..renderer
-                })
+                ..ViewerOptions::new(RendererOptions::new(SIZE))
             };
             let shown = self.display.show(self.avatar, self.clips, options);
             if !over.load(Ordering::Acquire) {

@@ -150,10 +150,6 @@ pub struct QualityArgs {
     /// Opacity under which nothing is drawn, in 255ths, 1 to 255 [default: as the preset says]
     #[arg(long, value_name = "N", value_parser = cutoff)]
     pub cutoff: Option<f64>,
-    /// Depth behind the avatar's front from which on nothing is drawn, millimetres, 0 or more
-    /// [default: as the preset says]
-    #[arg(long, value_name = "MM", value_parser = length)]
-    pub margin: Option<f64>,
     /// Share of an avatar's Gaussians to draw: full, 1/2, 1/4, 1/8, or auto, which draws fewer of
     /// avatars that are small in the image [default: as the preset says]
     #[arg(long, value_name = "SHARE")]
@@ -242,7 +238,6 @@ impl QualityArgs {
             workgroup: self.workgroup,
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
-            margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
             detail: self.detail.unwrap_or(preset.detail),
             supersampling: self.supersample.unwrap_or(preset.supersampling),
             filter: self.filter.filter(),
@@ -266,16 +261,6 @@ fn workgroup(text: &str) -> Result<u32, String> {
     size.ok_or_else(|| {
         format!("`{text}` is not a workgroup's size: write one of {PROJECT_WORKGROUPS:?}")
     })
-}
-
-/// Reads a length of 0 or more.
-fn length(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(length) if length.is_finite() && length >= 0.0 => Ok(length),
-        _ => Err(format!(
-            "`{text}` is not a length: write a number of 0 or more"
-        )),
-    }
 }
 
 /// [`ColorFormat`] as an argument.
@@ -490,10 +475,9 @@ mod tests {
             },
         );
         expect(
-            "--cutoff 3 --margin 7 --preset exact --skip pose --detail 1/4",
+            "--cutoff 3 --preset exact --skip pose --detail 1/4",
             RendererOptions {
                 cutoff: 3.0 / 255.0,
-                margin: 0.007,
                 skip: Skip::POSE,
                 detail: Detail::FULL.at_least(2),
                 ..of(Preset::Exact)
@@ -516,8 +500,6 @@ mod tests {
             "--filter nan",
             "--cutoff 0.5",
             "--cutoff 300",
-            "--margin -1",
-            "--margin inf",
             "--preset lowest",
             "--skip frames",
             "--detail 1/3",

@@ -3,7 +3,6 @@
 //!
 //! - [`constants`], [`random`], `each`: constants, random numbers, work on all cores
 //! - [`avatar`]: the model as plain arrays, its skeleton, poses and clips
-//! - [`occluder`]: a coarse mesh of the body's solid inside
 //! - [`layout`]: the GPU's structs, constants and packed arrays
 //! - [`scene`]: camera, posed avatar, bounds, images
 //! - [`frame`]: options of a renderer, the plan of a frame, its report
@@ -18,7 +17,6 @@ mod each;
 pub mod frame;
 pub mod io;
 pub mod layout;
-pub mod occluder;
 pub mod random;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod reference;

@@ -20,10 +20,7 @@ use effigy_core::{
         passes::{ListForm, Stage},
         schedule::Equipment,
     },
-    layout::{
-        self, BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, OccluderCorner, POSE_CACHE_WORDS,
-        PYRAMID_LEVELS, PYRAMID_SIDE, SORT_DIGITS, SORT_RUNS,
-    },
+    layout::{self, BLOCK_PAIRS, GAUSSIAN_PAIRS, POSE_CACHE_WORDS, SORT_DIGITS, SORT_RUNS},
 };
 use std::{
     iter::Sum,
@@ -148,17 +145,6 @@ const NODE_START: Amount = Amount {
     stored: WORD,
     minimum: 0,
 };
-/// A vertex of the occluder: the place of a Gaussian, nodes and two vertices beside it.
-const OCCLUDER_VERTEX: Amount = Amount {
-    stored: size_of::<OccluderCorner>() as u64,
-    minimum: GAUSSIAN_PLACE.minimum,
-};
-/// A corner of an occluder's triangle.
-const OCCLUDER_INDEX: Amount = Amount::exact(2);
-/// A texel of the occluder's depth image.
-const DEPTH_TEXEL: Amount = Amount::exact(2);
-/// A texel of the depth pyramid.
-const PYRAMID_TEXEL: Amount = Amount::exact(2);
 /// Bytes and operations of a Gaussian's colour from spherical harmonics: position and joints in,
 /// the colour out. Where the colour goes is up to the layout.
 const VIEW_COLOR: Amount = Amount {
@@ -257,15 +243,6 @@ pub fn runs_once_a_frame(stage: Stage) -> bool {
     matches!(stage, Stage::Sort | Stage::Binning | Stage::Raster)
 }
 
-/// The size of an occluder mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct OccluderSize {
-    /// Number of vertices.
-    pub vertices: u64,
-    /// Number of triangles.
-    pub triangles: u64,
-}
-
 /// Counts that the work depends on besides the avatar.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WorkCounts {
@@ -277,8 +254,6 @@ pub struct WorkCounts {
     pub networks: Option<u64>,
     /// Whether posed Gaussians came from the pose cache.
     pub pose_cached: bool,
-    /// Size of the occluder mesh; zeros without one.
-    pub occluder: OccluderSize,
     /// Bytes of the heads of all tiles' lists.
     pub tile_head_bytes: u64,
     /// Pixels that were covered. None, if unknown, stands for the whole image; so for the next.
@@ -295,21 +270,16 @@ pub fn work_per_stage(
     options: &RendererOptions,
     counts: WorkCounts,
 ) -> Vec<StageWork> {
-    let has_occluder = options.skip.contains(Skip::HIDDEN) && counts.occluder.triangles > 0;
     let mut stages = vec![mlp(avatar, options, counts)];
     if avatar.sh.is_some() {
         stages.push(view_colors(avatar, counts));
     }
-    if has_occluder {
-        stages.push(occluder(avatar, counts));
-    }
-    stages.push(project(avatar, options, counts, has_occluder));
+    stages.push(project(avatar, options, counts));
     stages.push(sort(options, counts));
     // Options that are not resolved decide no lists.
     if let Some(method) = options.method {
         let equipment = Equipment {
             sh: avatar.sh.is_some(),
-            occluder: has_occluder,
             supersampling: options.supersampling.is_on(),
             method,
             kernel: options.kernel.unwrap_or(TileKernel::PerThread),
@@ -420,27 +390,6 @@ fn view_colors(avatar: &Avatar, counts: WorkCounts) -> StageWork {
     StageWork::computing(Stage::Sh, bytes, coefficients)
 }
 
-/// Texels of all levels of the depth pyramid.
-fn pyramid() -> Amount {
-    let texels = |level: u32| u64::from(PYRAMID_SIDE >> level).pow(2);
-    PYRAMID_TEXEL * (0..PYRAMID_LEVELS).map(texels).sum()
-}
-
-/// The depth image is written and read once, and then reduced to the pyramid.
-fn occluder(avatar: &Avatar, counts: WorkCounts) -> StageWork {
-    let OccluderSize {
-        vertices,
-        triangles,
-    } = counts.occluder;
-    let texels = u64::from(OCCLUDER_SIDE).pow(2);
-    let bytes = OCCLUDER_VERTEX * vertices
-        + OCCLUDER_INDEX * (3 * triangles)
-        + NODE_DISPLACEMENT * avatar.nodes.len() as u64
-        + DEPTH_TEXEL * (2 * texels)
-        + pyramid();
-    StageWork::moving(Stage::Occluder, bytes)
-}
-
 /// Basis rows of rotation, scale and colour.
 struct RowArrays {
     /// Numbers, a byte each.
@@ -467,12 +416,7 @@ impl RowArrays {
 }
 
 /// Skinning, projection and culling; also from the pose cache.
-fn project(
-    avatar: &Avatar,
-    options: &RendererOptions,
-    counts: WorkCounts,
-    has_occluder: bool,
-) -> StageWork {
+fn project(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> StageWork {
     let gaussians = counts.gaussians;
     let drawn = counts.drawn.min(gaussians);
     // A drawn key adds one to a count of the sort's first pass: a read and a write. At the minimum
@@ -485,11 +429,7 @@ fn project(
         stored: options.keys().bytes(gaussians),
         minimum: 0,
     };
-    let pyramid = Amount {
-        stored: if has_occluder { pyramid().stored } else { 0 },
-        minimum: 0,
-    };
-    let handed_on = (SPLAT + counting) * drawn + keys + pyramid;
+    let handed_on = (SPLAT + counting) * drawn + keys;
     if counts.pose_cached {
         let bytes = CACHED_PLACE * gaussians + CACHED_LOOK * drawn + handed_on;
         let operations = CACHED_PLACE_OPERATIONS * gaussians + CACHED_SPLAT_OPERATIONS * drawn;
@@ -655,22 +595,17 @@ mod tests {
     fn no_minimum_is_above_the_stored_amount() {
         let avatar = demo();
         let gaussians = avatar.gaussians.len() as u64;
-        let mesh = OccluderSize {
-            vertices: 500,
-            triangles: 900,
-        };
         for key_bits in [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo] {
             let options = RendererOptions {
                 key_bits: Some(key_bits),
                 ..RendererOptions::new([256, 256])
             };
             for drawn in [0, gaussians / 2, gaussians] {
-                for (pose_cached, occluder) in [(false, OccluderSize::default()), (true, mesh)] {
+                for pose_cached in [false, true] {
                     let counts = WorkCounts {
                         gaussians,
                         drawn,
                         pose_cached,
-                        occluder,
                         covered: Some(9000),
                         fragments: Some(100_000),
                         ..WorkCounts::default()
@@ -678,8 +613,7 @@ mod tests {
                     for work in work_per_stage(&avatar, &options, counts) {
                         assert!(work.bytes_floor <= work.bytes, "{work:?}");
                         assert!(work.operations_floor <= work.operations, "{work:?}");
-                        let uncounted =
-                            [Stage::Sort, Stage::Raster, Stage::Occluder].contains(&work.stage);
+                        let uncounted = [Stage::Sort, Stage::Raster].contains(&work.stage);
                         assert!(uncounted || work.operations_floor > Some(0), "{work:?}");
                     }
                 }

@@ -129,8 +129,6 @@ pub struct OptionsReport {
     pub skip: String,
     /// Opacity under which nothing is drawn, 0 to 1.
     pub cutoff: f64,
-    /// Distance behind the occluder from which on a Gaussian is hidden, metres.
-    pub margin: f64,
     /// How many of an avatar's Gaussians are drawn: all in reports from before there was a choice.
     #[serde(default = "full_detail")]
     pub detail: String,
@@ -149,12 +147,17 @@ pub struct OptionsReport {
 /// A list of `--skip`, also one with old names.
 fn skip_names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
     let names = String::deserialize(deserializer)?;
-    Ok(present_skip_names(names))
+    Ok(present_skip_names(&names))
 }
 
-/// A list of `--skip` with the names that it has today. Other text stays as it is.
-pub fn present_skip_names(names: String) -> String {
-    names.parse().map_or(names, |skip: Skip| skip.to_string())
+/// A list of `--skip` with the names that it has today. What has no name any more stays as it is.
+pub fn present_skip_names(names: &str) -> String {
+    let present = |name: &str| {
+        name.parse()
+            .map_or(name.into(), |skip: Skip| skip.to_string())
+    };
+    let names: Vec<String> = names.split(',').map(present).collect();
+    names.join(",")
 }
 
 fn full_detail() -> String {
@@ -180,7 +183,6 @@ impl OptionsReport {
             key_bits: bits_of_keys(options.keys()),
             skip: options.skip.to_string(),
             cutoff: options.cutoff,
-            margin: options.margin,
             detail: options.detail.to_string(),
             filter: options
                 .filter
@@ -400,7 +402,6 @@ pub(crate) mod tests {
             key_bits: 16,
             skip: "none".into(),
             cutoff: 1.0 / 255.0,
-            margin: 0.005,
             detail: "full".into(),
             filter: "own".into(),
             storage: "half".into(),
@@ -442,9 +443,11 @@ pub(crate) mod tests {
     #[test]
     fn options_of_old_reports_get_their_present_names() {
         let mut old = serde_json::json!(options());
-        old["skip"] = "hidden,full,area".into();
+        old["skip"] = "faint,hidden,full,area".into();
+        old["margin"] = 0.005.into();
         let read: OptionsReport = serde_json::from_value(old).expect("options");
-        assert_eq!(read.skip, "hidden,saturated,damage");
+        // Gaussians behind the body's inside are not left out any more.
+        assert_eq!(read.skip, "faint,hidden,saturated,damage");
     }
 
     #[test]

@@ -356,18 +356,6 @@ impl AvatarCanvas {
         Ok(Drawn::Frame)
     }
 
-    /// Lets the avatar hide what lies behind it, in the frames from now on. It takes as long as the
-    /// upload of the avatar: call it once its first frame was drawn.
-    pub fn add_occluder(&mut self) -> Result<(), JsValue> {
-        let Some(DrawableAvatar {
-            avatar, renderer, ..
-        }) = &mut self.shown
-        else {
-            return Ok(());
-        };
-        renderer.add_occluder(avatar).map_err(js_error)
-    }
-
     /// Draws small images of the avatar from its levels of detail, in the frames from now on. It
     /// takes a share of the upload of the avatar: call it once its first frame was drawn, and after
     /// [`Self::complete`]. Without effect where there are none.
@@ -482,7 +470,6 @@ impl AvatarCanvas {
             "key_bits": options.keys().bits(),
             "skip": options.skip.to_string(),
             "cutoff": options.cutoff,
-            "margin": options.margin,
             "detail": options.detail.to_string(),
             "supersample": options.supersampling.to_string(),
             "storage": "words",

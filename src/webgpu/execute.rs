@@ -6,7 +6,6 @@ use super::{
     frame_in_flight::{FrameInFlight, Writes},
     kernel::{Blocks, block_offset},
     mlp::Mlp,
-    occluder::OccluderPass,
     project::Project,
     raster::{Draw, Raster},
     sh::SphericalHarmonics,
@@ -30,7 +29,6 @@ pub struct Executor<'a> {
     pub gpu: &'a Gpu,
     pub mlp: &'a Mlp,
     pub sh: Option<&'a SphericalHarmonics>,
-    pub occluder: Option<&'a OccluderPass>,
     pub project: &'a Project,
     pub sort: &'a Sort,
     pub raster: &'a Raster,
@@ -77,10 +75,7 @@ fn place(pass: &Pass) -> Place {
         | Pass::Binning { .. }
         | Pass::Saturation
         | Pass::RasterTiles { .. } => Place::Compute,
-        Pass::Occluder { .. }
-        | Pass::Bin { .. }
-        | Pass::RasterQuads { .. }
-        | Pass::Resolve { .. } => Place::Own,
+        Pass::Bin { .. } | Pass::RasterQuads { .. } | Pass::Resolve { .. } => Place::Own,
     }
 }
 
@@ -170,7 +165,6 @@ impl Executor<'_> {
             Pass::KeepCounts
             | Pass::Mlp { .. }
             | Pass::Sh { .. }
-            | Pass::Occluder { .. }
             | Pass::Project { .. }
             | Pass::Sort
             | Pass::Binning { .. }
@@ -190,19 +184,6 @@ impl Executor<'_> {
         writes: Writes,
     ) {
         match pass {
-            Pass::Occluder { target, .. } => {
-                let occluder = self.occluder.expect(SCHEDULED);
-                let frames: Vec<u32> = self
-                    .plan
-                    .layer(*target)
-                    .expect(SCHEDULED)
-                    .instances
-                    .iter()
-                    .filter(|instance| instance.has_occluder())
-                    .map(|instance| block_offset(instance.index))
-                    .collect();
-                occluder.record(in_flight, encoder, &frames, writes);
-            }
             Pass::Bin { target } => {
                 let draw = self.draw(*target);
                 self.raster.record_bins(in_flight, encoder, draw, writes);

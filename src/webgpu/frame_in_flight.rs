@@ -126,14 +126,14 @@ impl FrameInFlight {
         let (counts, ticks) = bytes.split_at(COUNTS as usize);
         // Sums over the layers.
         let mut control = Control::default();
-        let mut reasons = [0; 4];
+        let mut reasons = [0; REASONS as usize / 4];
         let layers = counts.chunks_exact(LAYER_COUNTS as usize);
         for layer in layers.take(self.kept_layers as usize) {
             let (own, culled) = layer.split_at(size_of::<Control>());
             let own: Control = bytemuck::pod_read_unaligned(own);
             control.visible_count += own.visible_count;
             control.fragments += own.fragments;
-            let culled: [u32; 4] = bytemuck::pod_read_unaligned(culled);
+            let culled: [u32; REASONS as usize / 4] = bytemuck::pod_read_unaligned(culled);
             for (sum, count) in reasons.iter_mut().zip(culled) {
                 *sum += count;
             }

@@ -16,7 +16,6 @@ mod frame_in_flight;
 mod kernel;
 mod mlp;
 mod model;
-mod occluder;
 pub mod options;
 pub mod owned;
 pub mod present;

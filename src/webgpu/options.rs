@@ -25,19 +25,15 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     } else {
         Skip::empty()
     };
-    let (hidden, supersampling) = if draws_triangles(gpu.name()) {
-        (Skip::empty(), options.supersampling)
-    } else {
-        (Skip::HIDDEN | Skip::DEPTH, Supersampling::OFF)
-    };
+    let draws_triangles = draws_triangles(gpu.name());
     // As with Vulkan, whose own choice is measured: on CPU drivers the depth test costs more than
     // it saves (docs/experiments/038).
-    let tested = if options.method.is_none() {
+    let tested = if options.method.is_none() || !draws_triangles {
         Skip::DEPTH
     } else {
         Skip::empty()
     };
-    let skip = options.skip - whole - hidden - tested;
+    let skip = options.skip - whole - tested;
     // CPU drivers execute a few invocations at a time: they have a kernel of their own.
     let kernel = options.kernel.unwrap_or(if gpu.is_cpu() {
         TileKernel::PerThread
@@ -57,7 +53,11 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
         sort: Some(sort),
         packed_words: Some(true),
         workgroup: Some(PROJECT_WORKGROUP),
-        supersampling,
+        supersampling: if draws_triangles {
+            options.supersampling
+        } else {
+            Supersampling::OFF
+        },
         skip,
         ..options
     }

@@ -17,7 +17,7 @@ use effigy_core::{
 };
 
 /// Bytes of the counts of culled Gaussians, one a reason, before the sort's counts.
-pub const REASONS: u64 = 16;
+pub const REASONS: u64 = 12;
 /// Where in the counts those of the sort start, bytes.
 const COUNTS_AT: u64 = 256;
 
@@ -72,8 +72,7 @@ impl Project {
         )?;
         let all = model_bindings(model, 0, blocks, pose, [&buffer, &counts]);
         let cached = [
-            (1, Bound::Read(pose.into())),
-            (2, Bound::Write((&buffer).into())),
+            (1, Bound::Write((&buffer).into())),
             (6, Bound::Write((&counts).into())),
             blocks.frame(),
             blocks.settings(),

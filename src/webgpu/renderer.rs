@@ -10,7 +10,6 @@ use super::{
     kernel::{Blocks, block_offset},
     mlp::Mlp,
     model::{self, Model},
-    occluder::OccluderPass,
     options::{accepted, room},
     owned::Buffer,
     project::Project,
@@ -22,7 +21,7 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage,
+        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Stage,
         block::{self, PoseLayout},
         passes::Target,
         pose_cache::PoseCache,
@@ -39,17 +38,13 @@ use std::sync::Arc;
 /// An avatar on a device, in as many poses as it was made for.
 pub struct Renderer {
     pub(super) frames_in_flight: Vec<FrameInFlight>,
-    pub(super) occluder: Option<OccluderPass>,
-    /// Whether there is an occluder, or the avatar is too thin for one.
-    occluder_sought: bool,
     mlp: Mlp,
     sh: Option<SphericalHarmonics>,
     pub(super) project: Project,
     pub(super) sort: Sort,
     pub(super) raster: Raster,
     pub(super) control: Buffer,
-    /// Features, then node displacements, of one avatar after the other; then the occluder's depth
-    /// pyramid.
+    /// Features, then node displacements, of one avatar after the other; then a vector of zeros.
     pub(super) pose: Buffer,
     pub(super) blocks: Blocks,
     settings: SettingsBlock,
@@ -98,13 +93,11 @@ impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let mut new = Self::empty(gpu, avatar, options)?;
         new.write(avatar)?;
-        new.add_occluder(avatar)?;
         Ok(new)
     }
 
     /// Buffers and kernels for an avatar. A browser compiles kernels on other threads: meanwhile
-    /// call [`Self::upload`], which fills them. Nothing may be drawn before that. Without
-    /// [`Self::add_occluder`] nothing is hidden.
+    /// call [`Self::upload`], which fills them. Nothing may be drawn before that.
     ///
     /// # Errors
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, or the device is out
@@ -146,8 +139,6 @@ impl Renderer {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
-            occluder: None,
-            occluder_sought: false,
             mlp,
             sh,
             project,
@@ -253,22 +244,6 @@ impl Renderer {
         self.state = FrameState::default();
     }
 
-    /// Makes the occluder of the avatar that was uploaded, which takes about as long as the upload:
-    /// a page does so once its first frame is under way. Without effect where there is one, or it
-    /// was found that there can be none.
-    ///
-    /// # Errors
-    /// When the device is lost or out of memory.
-    pub fn add_occluder(&mut self, avatar: &Avatar) -> Result<()> {
-        if self.occluder_sought || !self.options.skip.contains(Skip::HIDDEN) {
-            return Ok(());
-        }
-        self.occluder =
-            OccluderPass::new(&self.gpu, avatar, &self.model, &self.blocks, &self.pose)?;
-        self.occluder_sought = true;
-        self.gpu.check()
-    }
-
     /// Draws this avatar from now on, which has the Gaussians and the nodes of the one before and
     /// may have other correctives of the same number, other spherical harmonics of the same degree
     /// and any levels: kernels stay, as with [`Self::add_levels`]. False, and nothing has changed,
@@ -313,17 +288,11 @@ impl Renderer {
     fn equipment(&self) -> Equipment {
         Equipment {
             sh: self.sh.is_some(),
-            occluder: self.occluder.is_some(),
             supersampling: self.options.supersampling.is_on(),
             method: self.raster.method(),
             kernel: self.raster.kernel(),
             skip: self.options.skip,
         }
-    }
-
-    /// Numbers of corners and triangles of the occluder mesh.
-    pub fn occluder_size(&self) -> [u64; 2] {
-        self.occluder.as_ref().map_or([0; 2], OccluderPass::size)
     }
 
     /// What it draws with, resolved.
@@ -379,7 +348,6 @@ impl Renderer {
             dependencies: &self.needs,
             options: &self.options,
             room: self.room,
-            has_occluder: self.occluder.is_some(),
             always_submit: false,
         });
         if !plan.redraw {
@@ -427,7 +395,6 @@ impl Renderer {
     fn submit(&mut self, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
         let stages = StageDispatches {
             has_sh: self.sh.is_some(),
-            occluder: schedule.runs(Stage::Occluder),
             sort: schedule.runs(Stage::Sort) * self.sort.dispatches() as u64,
             // Quads have none without the stages before them.
             raster: schedule.runs(Stage::Binning) * self.raster.dispatches(),
@@ -450,7 +417,6 @@ impl Renderer {
             gpu: &self.gpu,
             mlp: &self.mlp,
             sh: self.sh.as_ref(),
-            occluder: self.occluder.as_ref(),
             project: &self.project,
             sort: &self.sort,
             raster: &self.raster,
@@ -526,14 +492,14 @@ impl Renderer {
     fn write_block(&mut self, layer: &Layer, camera: &Camera, instance: Option<&AvatarInstance>) {
         let number = instance.map_or(self.options.instances, |instance| instance.index);
         let set = instance.map_or(0, |instance| instance.model);
-        let pose = PoseLayout::new(self.model.constants(0), self.room);
         let block = &mut *self.frame;
         block::write_constants(block, self.model.constants(set));
-        block::write_shared(block, &self.options, layer, camera, pose);
+        block::write_shared(block, &self.options, layer, camera);
         self.project.fill(block);
         block.tile_side = TILING_WEB.tile(layer.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
+            let pose = PoseLayout::new(self.model.constants(0), self.room);
             block::write_instance(block, &self.options, layer, instance, pose);
             self.project.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);

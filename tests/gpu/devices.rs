@@ -190,7 +190,6 @@ fn stages_whose_inputs_did_not_change_are_skipped() {
     let mut renderer = Renderer::new(&device, &avatar, gpu::options([100, 100])).unwrap();
     let equipment = Equipment {
         sh: false,
-        occluder: renderer.occluder_size()[1] > 0,
         supersampling: false,
         method: renderer.raster().method(),
         kernel: renderer.options().kernel.unwrap(),

@@ -29,7 +29,6 @@ fn main() -> ExitCode {
             stages::mlp,
             stages::nodes,
             stages::sh,
-            stages::occluder,
             stages::project,
             stages::sort::choice,
             stages::sort::faults,

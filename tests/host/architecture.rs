@@ -131,7 +131,6 @@ const LAYERS: &[Layers] = &[
             "random",
             "each",
             "avatar",
-            "occluder",
             "layout",
             "scene",
             "frame",

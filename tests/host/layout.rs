@@ -142,10 +142,6 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(FrameBlock, network_quads),
         offset_of!(FrameBlock, key_start),
         offset_of!(FrameBlock, cutoff),
-        offset_of!(FrameBlock, occluder_margin),
-        offset_of!(FrameBlock, pyramid_start),
-        offset_of!(FrameBlock, occluder_origin),
-        offset_of!(FrameBlock, occluder_scale),
         offset_of!(FrameBlock, quad_opacity),
         offset_of!(FrameBlock, body_quads),
         offset_of!(FrameBlock, log_scale_min),
@@ -215,9 +211,8 @@ fn the_frame_block_is_the_same_on_both_sides() {
     });
     assert_eq!(
         seen.get(),
-        21,
-        "mlp has three modules, sh two, occluder two, project two, binning four, saturation one \
-         and raster seven"
+        19,
+        "mlp has three modules, sh two, project two, binning four, saturation one and raster seven"
     );
 }
 
@@ -324,7 +319,6 @@ fn shaders_need_no_more_than_every_device_has() {
             _ if !file.contains(".comp") => None,
             "mlp" => Some(layout::MLP_WORKGROUP),
             "sh" => Some(layout::SH_WORKGROUP),
-            "occluder" => Some(layout::PYRAMID_WORKGROUP_WIDTH * layout::PYRAMID_WORKGROUP_HEIGHT),
             "project" => Some(layout::PROJECT_WORKGROUP),
             "binning" if file.starts_with("binning.") => Some(layout::BINNING_WORKGROUP),
             "binning" => Some(layout::BIN_WORKGROUP),

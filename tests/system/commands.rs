@@ -233,7 +233,7 @@ fn bench_writes_what_it_measured_of_every_case() {
     let count = |case: usize, name: &str| cases[case]["counters"][name].as_f64().unwrap();
     let four = names.iter().position(|name| *name == "four").unwrap();
     for case in [0, 5, four] {
-        let reasons: f64 = ["outside", "hidden", "faint", "degenerate"]
+        let reasons: f64 = ["outside", "faint", "degenerate"]
             .iter()
             .map(|name| count(case, name))
             .sum();

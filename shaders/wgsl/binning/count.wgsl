@@ -38,37 +38,33 @@ struct type_13 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_9, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_9, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_16 {
@@ -181,7 +177,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e60 = global.member_5;
                     let _e62 = ((vec2<f32>((_e51.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e56)) - vec2(_e60));
                     let _e64 = unpack2x16float(_e51.z);
-                    let _e73 = global.member_34;
+                    let _e73 = global.member_30;
                     let _e76 = global.member_29;
                     let _e84 = (unpack2x16float(_e51.w).x * inverseSqrt(dot(_e64, _e64)));
                     let _e87 = _e64.yx;
@@ -189,7 +185,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e96 = ((sqrt(((_e64 * _e64) + ((_e87 * (_e84 * _e84)) * _e87))) * sqrt((2f * log(max((max(f32(((_e51.w >> bitcast<u32>(16u)) & 255u)), _e73) / _e76), 1f))))) + vec2(_e94));
                     let _e97 = (_e62 - _e96);
                     let _e98 = (_e62 + _e96);
-                    let _e100 = global.member_50;
+                    let _e100 = global.member_46;
                     let _e102 = global.member_4;
                     let _e104 = vec2(_e100);
                     let _e109 = vec2<f32>(((((vec2<u32>(_e102) + _e104) - vec2<u32>(1u, 1u)) / _e104) - vec2<u32>(1u, 1u)));

@@ -38,37 +38,33 @@ struct type_13 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_9, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_9, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_16 {
@@ -205,7 +201,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         let _e66 = global.member_5;
                         let _e68 = ((vec2<f32>((_e57.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e62)) - vec2(_e66));
                         let _e70 = unpack2x16float(_e57.z);
-                        let _e79 = global.member_34;
+                        let _e79 = global.member_30;
                         let _e82 = global.member_29;
                         let _e90 = (unpack2x16float(_e57.w).x * inverseSqrt(dot(_e70, _e70)));
                         let _e93 = _e70.yx;
@@ -213,7 +209,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         let _e102 = ((sqrt(((_e70 * _e70) + ((_e93 * (_e90 * _e90)) * _e93))) * sqrt((2f * log(max((max(f32(((_e57.w >> bitcast<u32>(16u)) & 255u)), _e79) / _e82), 1f))))) + vec2(_e100));
                         let _e103 = (_e68 - _e102);
                         let _e104 = (_e68 + _e102);
-                        let _e106 = global.member_50;
+                        let _e106 = global.member_46;
                         let _e108 = global.member_4;
                         let _e110 = vec2(_e106);
                         let _e115 = vec2<f32>(((((vec2<u32>(_e108) + _e110) - vec2<u32>(1u, 1u)) / _e110) - vec2<u32>(1u, 1u)));
@@ -300,7 +296,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     phi_1249_ = (_e160 * 2u);
                 }
             }
-            let _e190 = global.member_50;
+            let _e190 = global.member_46;
             let _e194 = global.member_4;
             let _e196 = vec2((_e190 << bitcast<u32>(_e43)));
             let _e202 = global_4.member_11;

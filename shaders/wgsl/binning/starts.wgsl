@@ -38,37 +38,33 @@ struct type_12 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_8, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_8, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_15 {
@@ -130,7 +126,7 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
         default: {
             let _e16 = bitcast<u32>(param[0u]);
             let _e19 = global_3.member[8i];
-            let _e21 = global.member_50;
+            let _e21 = global.member_46;
             let _e25 = global.member_4;
             let _e27 = vec2((_e21 << bitcast<u32>(_e19)));
             let _e30 = (((vec2<u32>(_e25) + _e27) - vec2<u32>(1u, 1u)) / _e27);

@@ -46,37 +46,33 @@ struct type_20 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_16, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_16, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_22 {
@@ -128,7 +124,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
     switch bitcast<i32>(0u) {
         default: {
             let _e31 = bitcast<u32>(param_1[0u]);
-            let _e40 = global_3.member_58[(_e31 >> bitcast<u32>(7u))][((_e31 >> bitcast<u32>(5u)) & 3u)];
+            let _e40 = global_3.member_54[(_e31 >> bitcast<u32>(7u))][((_e31 >> bitcast<u32>(5u)) & 3u)];
             if (((_e40 >> bitcast<u32>((_e31 & 31u))) & 1u) != 0u) {
                 break;
             }
@@ -137,10 +133,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             let _e50 = global_3.member_17;
             let _e51 = (_e31 < _e50);
             if _e51 {
-                let _e56 = global_3.member_60[0i].member;
+                let _e56 = global_3.member_56[0i].member;
                 phi_782_ = _e56;
             } else {
-                let _e58 = global_3.member_35;
+                let _e58 = global_3.member_31;
                 phi_782_ = _e58;
             }
             let _e60 = phi_782_;
@@ -150,7 +146,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 let _e64 = global_3.member_26;
                 local_3 = _e64;
                 if (_e62 < _e64) {
-                    let _e68 = global_3.member_60[_e62];
+                    let _e68 = global_3.member_56[_e62];
                     let _e74 = ((_e62 & 1u) * 128u);
                     let _e75 = (128u - _e74);
                     phi_790_ = bitcast<u32>(param[0u]);
@@ -171,7 +167,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 local_2 = _e107;
                                 if (_e109 < select(_e68.member, _e60, _e104)) {
                                     if _e104 {
-                                        let _e114 = global_3.member_61[(select(64u, 0u, _e51) + _e109)];
+                                        let _e114 = global_3.member_57[(select(64u, 0u, _e51) + _e109)];
                                         phi_802_ = _e114;
                                     } else {
                                         let _e116 = (_e74 + (4u * _e109));
@@ -199,7 +195,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             let _e150 = local_2;
                             let _e151 = clamp(_e150, -65504f, 65504f);
                             if ((_e62 + 1u) == _e64) {
-                                let _e153 = global_3.member_44;
+                                let _e153 = global_3.member_40;
                                 let _e155 = global_3.member_19;
                                 global_5.member[((4u * (_e153 + (_e31 * _e155))) + _e81)] = bitcast<u32>(_e151);
                                 global_1[(_e75 + _e81)] = _e151;

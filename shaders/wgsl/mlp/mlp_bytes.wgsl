@@ -42,37 +42,33 @@ struct type_17 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_13, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_13, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -123,7 +119,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
     switch bitcast<i32>(0u) {
         default: {
             let _e30 = bitcast<u32>(param_1[0u]);
-            let _e39 = global_3.member_58[(_e30 >> bitcast<u32>(7u))][((_e30 >> bitcast<u32>(5u)) & 3u)];
+            let _e39 = global_3.member_54[(_e30 >> bitcast<u32>(7u))][((_e30 >> bitcast<u32>(5u)) & 3u)];
             if (((_e39 >> bitcast<u32>((_e30 & 31u))) & 1u) != 0u) {
                 break;
             }
@@ -132,10 +128,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             let _e49 = global_3.member_17;
             let _e50 = (_e30 < _e49);
             if _e50 {
-                let _e55 = global_3.member_60[0i].member;
+                let _e55 = global_3.member_56[0i].member;
                 phi_734_ = _e55;
             } else {
-                let _e57 = global_3.member_35;
+                let _e57 = global_3.member_31;
                 phi_734_ = _e57;
             }
             let _e59 = phi_734_;
@@ -145,7 +141,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 let _e63 = global_3.member_26;
                 local_2 = _e63;
                 if (_e61 < _e63) {
-                    let _e67 = global_3.member_60[_e61];
+                    let _e67 = global_3.member_56[_e61];
                     let _e73 = ((_e61 & 1u) * 128u);
                     let _e74 = (128u - _e73);
                     phi_742_ = bitcast<u32>(param[0u]);
@@ -161,7 +157,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 local_1 = _e87;
                                 if (_e89 < select(_e67.member, _e59, _e84)) {
                                     if _e84 {
-                                        let _e94 = global_3.member_61[(select(64u, 0u, _e50) + _e89)];
+                                        let _e94 = global_3.member_57[(select(64u, 0u, _e50) + _e89)];
                                         phi_754_ = _e94;
                                     } else {
                                         let _e96 = (_e73 + (4u * _e89));
@@ -189,7 +185,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             let _e131 = local_1;
                             let _e134 = clamp((_e126.x + ((127f * _e126.y) * _e131)), -65504f, 65504f);
                             if ((_e61 + 1u) == _e63) {
-                                let _e136 = global_3.member_44;
+                                let _e136 = global_3.member_40;
                                 let _e138 = global_3.member_19;
                                 global_5.member[((4u * (_e136 + (_e30 * _e138))) + _e80)] = bitcast<u32>(_e134);
                                 global_1[(_e74 + _e80)] = _e134;

@@ -38,44 +38,44 @@ struct type_16 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_12, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_12, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
+    member: array<vec2<u32>>,
+}
+
+struct type_21 {
     member: array<u32>,
 }
 
-struct type_20 {
+struct type_22 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -94,20 +94,16 @@ struct type_20 {
     member_15: f32,
 }
 
-struct type_22 {
-    member: array<vec2<u32>>,
-}
-
 struct type_26 {
     member: array<atomic<u32>>,
 }
 
 struct type_28 {
-    member: array<atomic<u32>, LENGTH_6_4>,
+    member: array<vec2<u32>, LENGTH_3_8>,
 }
 
 struct type_30 {
-    member: array<vec2<u32>, LENGTH_3_8>,
+    member: array<atomic<u32>, LENGTH_6_4>,
 }
 
 struct type_32 {
@@ -124,12 +120,12 @@ struct type_36 {
 
 @group(0) @binding(0) 
 var<uniform> global: type_16;
-@group(0) @binding(6) 
-var<storage, read_write> global_1: type_28;
-@group(0) @binding(7) 
-var<uniform> global_2: type_20;
 @group(0) @binding(3) 
-var<storage> global_3: type_30;
+var<storage> global_1: type_28;
+@group(0) @binding(6) 
+var<storage, read_write> global_2: type_30;
+@group(0) @binding(7) 
+var<uniform> global_3: type_22;
 @group(0) @binding(4) 
 var<storage, read_write> global_4: type_32;
 var<workgroup> global_5: array<u32, 64>;
@@ -140,611 +136,521 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_5196_: u32;
-    var phi_5195_: bool;
-    var phi_3157_: bool;
+    var phi_4526_: u32;
+    var phi_4525_: bool;
+    var phi_2792_: bool;
     var local: bool;
-    var phi_3565_: bool;
-    var phi_5198_: f32;
-    var phi_5199_: f32;
-    var phi_5203_: u32;
-    var phi_5209_: u32;
-    var phi_5208_: f32;
-    var phi_5206_: u32;
-    var local_1: f32;
-    var phi_5213_: bool;
-    var phi_3614_: bool;
-    var phi_5224_: f32;
-    var phi_5215_: vec2<f32>;
-    var phi_5214_: bool;
-    var phi_5234_: vec4<f32>;
-    var phi_5235_: vec4<f32>;
-    var phi_5236_: vec4<f32>;
-    var phi_5254_: vec3<f32>;
-    var phi_5256_: vec4<f32>;
-    var phi_5255_: u32;
-    var local_2: vec4<f32>;
-    var phi_5271_: vec4<f32>;
-    var phi_5259_: vec3<f32>;
-    var phi_5258_: u32;
+    var phi_3194_: bool;
+    var phi_4528_: f32;
+    var phi_4529_: f32;
+    var phi_4537_: f32;
+    var phi_4531_: vec2<f32>;
+    var phi_4530_: bool;
+    var phi_4541_: vec4<f32>;
+    var phi_4542_: vec4<f32>;
+    var phi_4543_: vec4<f32>;
+    var phi_4555_: vec3<f32>;
+    var phi_4557_: vec4<f32>;
+    var phi_4556_: u32;
+    var local_1: vec4<f32>;
+    var phi_4572_: vec4<f32>;
+    var phi_4560_: vec3<f32>;
+    var phi_4559_: u32;
+    var local_2: vec3<f32>;
+    var phi_4576_: vec3<f32>;
+    var phi_4569_: vec3<f32>;
+    var phi_4568_: u32;
     var local_3: vec3<f32>;
-    var phi_5275_: vec3<f32>;
-    var phi_5268_: vec3<f32>;
-    var phi_5267_: u32;
-    var local_4: vec3<f32>;
-    var phi_5277_: vec3<f32>;
-    var phi_4660_: bool;
-    var phi_4666_: bool;
-    var phi_5282_: f32;
-    var phi_5281_: u32;
-    var local_5: f32;
-    var phi_5290_: u32;
-    var phi_4744_: bool;
-    var phi_5294_: vec2<f32>;
-    var phi_5295_: vec2<f32>;
-    var phi_5296_: u32;
-    var phi_5297_: u32;
-    var phi_5298_: u32;
+    var phi_4578_: vec3<f32>;
+    var phi_4012_: bool;
+    var phi_4018_: bool;
+    var phi_4583_: f32;
+    var phi_4582_: u32;
+    var local_4: f32;
+    var phi_4591_: u32;
+    var phi_4096_: bool;
+    var phi_4595_: vec2<f32>;
+    var phi_4596_: vec2<f32>;
+    var phi_4597_: u32;
+    var phi_4598_: u32;
+    var phi_4599_: u32;
 
-    let _e71 = bitcast<u32>(param_1[0u]);
-    let _e73 = global.member_48;
-    let _e74 = (_e71 < _e73);
-    if _e74 {
+    let _e63 = bitcast<u32>(param_1[0u]);
+    let _e65 = global.member_44;
+    let _e66 = (_e63 < _e65);
+    if _e66 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e77 = global.member_14;
-                let _e79 = global.member_47;
-                let _e81 = (_e71 << bitcast<u32>(_e79));
-                let _e85 = (4u * (_e77 + (_e81 >> bitcast<u32>(5u))));
-                let _e90 = global_7.member[(_e85 + 3u)][0u];
-                phi_5196_ = (_e90 & 65535u);
-                phi_5195_ = true;
+                let _e69 = global.member_14;
+                let _e71 = global.member_43;
+                let _e73 = (_e63 << bitcast<u32>(_e71));
+                let _e77 = (4u * (_e69 + (_e73 >> bitcast<u32>(5u))));
+                let _e82 = global_7.member[(_e77 + 3u)][0u];
+                phi_4526_ = (_e82 & 65535u);
+                phi_4525_ = true;
                 loop {
-                    let _e93 = phi_5196_;
-                    let _e95 = phi_5195_;
-                    local = _e95;
-                    phi_3157_ = _e95;
-                    if _e95 {
-                        phi_3157_ = (_e93 <= (_e90 >> bitcast<u32>(16u)));
+                    let _e85 = phi_4526_;
+                    let _e87 = phi_4525_;
+                    local = _e87;
+                    phi_2792_ = _e87;
+                    if _e87 {
+                        phi_2792_ = (_e85 <= (_e82 >> bitcast<u32>(16u)));
                     }
-                    let _e100 = phi_3157_;
-                    if _e100 {
+                    let _e92 = phi_2792_;
+                    if _e92 {
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e109 = global.member_59[(_e93 >> bitcast<u32>(7u))][((_e93 >> bitcast<u32>(5u)) & 3u)];
-                        phi_5196_ = (_e93 + bitcast<u32>(1i));
-                        phi_5195_ = (((_e109 >> bitcast<u32>((_e93 & 31u))) & 1u) != 0u);
+                        let _e101 = global.member_55[(_e85 >> bitcast<u32>(7u))][((_e85 >> bitcast<u32>(5u)) & 3u)];
+                        phi_4526_ = (_e85 + bitcast<u32>(1i));
+                        phi_4525_ = (((_e101 >> bitcast<u32>((_e85 & 31u))) & 1u) != 0u);
                     }
                 }
-                let _e118 = local;
-                if _e118 {
-                    let _e120 = global_2.member_9;
-                    if (_e120 != 0u) {
-                        let _e124 = atomicAdd((&global_1.member[0u]), 1u);
+                let _e110 = local;
+                if _e110 {
+                    let _e112 = global_3.member_9;
+                    if (_e112 != 0u) {
+                        let _e116 = atomicAdd((&global_2.member[0u]), 1u);
                     }
-                    phi_5297_ = 4294967295u;
+                    phi_4598_ = 4294967295u;
                     break;
                 }
-                let _e125 = (2u * _e81);
-                let _e128 = global_7.member[_e125];
-                let _e132 = global_7.member[(_e125 + 1u)];
-                let _e137 = global_7.member[((2u * _e77) + _e81)];
-                let _e148 = (vec2<f32>(f32(((_e137.y >> bitcast<u32>(16u)) & 31u)), f32(((_e137.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e152 = ((1f + (2f * _e148.x)) * 0.33333334f);
-                let _e153 = (1f - _e152);
-                let _e157 = (_e153 * (0.5f + (0.5f * _e148.y)));
-                let _e175 = global.member_11;
-                let _e178 = global.member_12;
-                let _e183 = global.member_21;
-                let _e184 = (2u * _e183);
-                let _e188 = global_3.member[(_e184 + (_e137.x & 65535u))];
-                let _e190 = unpack2x16float(_e188.x);
-                let _e202 = global_3.member[(_e184 + (_e137.x >> bitcast<u32>(16u)))];
-                let _e204 = unpack2x16float(_e202.x);
-                let _e216 = global_3.member[(_e184 + (_e137.y & 65535u))];
-                let _e218 = unpack2x16float(_e216.x);
-                let _e226 = ((((_e175.xyz + (_e178.xyz * vec3<f32>(f32((_e128.x & 65535u)), f32((_e128.x >> bitcast<u32>(16u))), f32((_e128.y & 65535u))))) + (vec3<f32>(_e190.x, _e190.y, unpack2x16float(_e188.y).x) * _e152)) + (vec3<f32>(_e204.x, _e204.y, unpack2x16float(_e202.y).x) * _e157)) + (vec3<f32>(_e218.x, _e218.y, unpack2x16float(_e216.y).x) * (_e153 - _e157)));
-                let _e230 = vec4<f32>(_e226.x, _e226.y, _e226.z, 1f);
-                let _e243 = (((_e128.y >> bitcast<u32>(16u)) | ((_e132.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e137.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e255 = global.member_36;
-                let _e257 = global.member_37;
-                let _e260 = (vec3(_e255) + (vec3<f32>(f32((_e243 & 1023u)), f32(((_e243 >> bitcast<u32>(10u)) & 1023u)), f32((_e243 >> bitcast<u32>(20u)))) * _e257));
-                let _e269 = (vec4<u32>(_e132.x, (_e132.x >> bitcast<u32>(8u)), (_e132.x >> bitcast<u32>(16u)), (_e132.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e275 = (vec3<u32>(_e132.y, (_e132.y >> bitcast<u32>(8u)), (_e132.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e276 = vec3<f32>(_e275);
-                let _e288 = (vec4<f32>(_e276.x, _e276.y, _e276.z, f32((((255u - _e275.x) - _e275.y) - _e275.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e291 = (3u * _e269.x);
-                let _e294 = global.member_62[_e291];
-                let _e299 = global.member_62[(_e291 + 1u)];
-                let _e304 = global.member_62[(_e291 + 2u)];
-                let _e308 = (3u * _e269.y);
-                let _e311 = global.member_62[_e308];
-                let _e317 = global.member_62[(_e308 + 1u)];
-                let _e323 = global.member_62[(_e308 + 2u)];
-                let _e328 = (3u * _e269.z);
-                let _e331 = global.member_62[_e328];
-                let _e337 = global.member_62[(_e328 + 1u)];
-                let _e343 = global.member_62[(_e328 + 2u)];
-                let _e348 = (3u * _e269.w);
-                let _e351 = global.member_62[_e348];
-                let _e353 = ((((_e294 * _e288.x) + (_e311 * _e288.y)) + (_e331 * _e288.z)) + (_e351 * _e288.w));
-                let _e357 = global.member_62[(_e348 + 1u)];
-                let _e359 = ((((_e299 * _e288.x) + (_e317 * _e288.y)) + (_e337 * _e288.z)) + (_e357 * _e288.w));
-                let _e363 = global.member_62[(_e348 + 2u)];
-                let _e365 = ((((_e304 * _e288.x) + (_e323 * _e288.y)) + (_e343 * _e288.z)) + (_e363 * _e288.w));
-                let _e368 = dot(_e365, _e230);
-                let _e369 = vec3<f32>(dot(_e353, _e230), dot(_e359, _e230), _e368);
-                let _e370 = _e353.xyz;
-                let _e371 = _e359.xyz;
-                let _e372 = _e365.xyz;
-                let _e384 = vec3<f32>(_e365.x, _e365.y, _e365.z);
+                let _e117 = (2u * _e73);
+                let _e120 = global_7.member[_e117];
+                let _e124 = global_7.member[(_e117 + 1u)];
+                let _e129 = global_7.member[((2u * _e69) + _e73)];
+                let _e140 = (vec2<f32>(f32(((_e129.y >> bitcast<u32>(16u)) & 31u)), f32(((_e129.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e144 = ((1f + (2f * _e140.x)) * 0.33333334f);
+                let _e145 = (1f - _e144);
+                let _e149 = (_e145 * (0.5f + (0.5f * _e140.y)));
+                let _e167 = global.member_11;
+                let _e170 = global.member_12;
+                let _e175 = global.member_21;
+                let _e176 = (2u * _e175);
+                let _e180 = global_1.member[(_e176 + (_e129.x & 65535u))];
+                let _e182 = unpack2x16float(_e180.x);
+                let _e194 = global_1.member[(_e176 + (_e129.x >> bitcast<u32>(16u)))];
+                let _e196 = unpack2x16float(_e194.x);
+                let _e208 = global_1.member[(_e176 + (_e129.y & 65535u))];
+                let _e210 = unpack2x16float(_e208.x);
+                let _e218 = ((((_e167.xyz + (_e170.xyz * vec3<f32>(f32((_e120.x & 65535u)), f32((_e120.x >> bitcast<u32>(16u))), f32((_e120.y & 65535u))))) + (vec3<f32>(_e182.x, _e182.y, unpack2x16float(_e180.y).x) * _e144)) + (vec3<f32>(_e196.x, _e196.y, unpack2x16float(_e194.y).x) * _e149)) + (vec3<f32>(_e210.x, _e210.y, unpack2x16float(_e208.y).x) * (_e145 - _e149)));
+                let _e222 = vec4<f32>(_e218.x, _e218.y, _e218.z, 1f);
+                let _e235 = (((_e120.y >> bitcast<u32>(16u)) | ((_e124.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e129.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e247 = global.member_32;
+                let _e249 = global.member_33;
+                let _e252 = (vec3(_e247) + (vec3<f32>(f32((_e235 & 1023u)), f32(((_e235 >> bitcast<u32>(10u)) & 1023u)), f32((_e235 >> bitcast<u32>(20u)))) * _e249));
+                let _e261 = (vec4<u32>(_e124.x, (_e124.x >> bitcast<u32>(8u)), (_e124.x >> bitcast<u32>(16u)), (_e124.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e267 = (vec3<u32>(_e124.y, (_e124.y >> bitcast<u32>(8u)), (_e124.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e268 = vec3<f32>(_e267);
+                let _e280 = (vec4<f32>(_e268.x, _e268.y, _e268.z, f32((((255u - _e267.x) - _e267.y) - _e267.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e283 = (3u * _e261.x);
+                let _e286 = global.member_58[_e283];
+                let _e291 = global.member_58[(_e283 + 1u)];
+                let _e296 = global.member_58[(_e283 + 2u)];
+                let _e300 = (3u * _e261.y);
+                let _e303 = global.member_58[_e300];
+                let _e309 = global.member_58[(_e300 + 1u)];
+                let _e315 = global.member_58[(_e300 + 2u)];
+                let _e320 = (3u * _e261.z);
+                let _e323 = global.member_58[_e320];
+                let _e329 = global.member_58[(_e320 + 1u)];
+                let _e335 = global.member_58[(_e320 + 2u)];
+                let _e340 = (3u * _e261.w);
+                let _e343 = global.member_58[_e340];
+                let _e345 = ((((_e286 * _e280.x) + (_e303 * _e280.y)) + (_e323 * _e280.z)) + (_e343 * _e280.w));
+                let _e349 = global.member_58[(_e340 + 1u)];
+                let _e351 = ((((_e291 * _e280.x) + (_e309 * _e280.y)) + (_e329 * _e280.z)) + (_e349 * _e280.w));
+                let _e355 = global.member_58[(_e340 + 2u)];
+                let _e357 = ((((_e296 * _e280.x) + (_e315 * _e280.y)) + (_e335 * _e280.z)) + (_e355 * _e280.w));
+                let _e360 = dot(_e357, _e222);
+                let _e361 = vec3<f32>(dot(_e345, _e222), dot(_e351, _e222), _e360);
+                let _e373 = vec3<f32>(_e357.x, _e357.y, _e357.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e402 = global.member_6;
-                        if !((_e368 >= _e402)) {
-                            let _e406 = global_2.member_9;
-                            if (_e406 != 0u) {
-                                let _e410 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e376 = global.member_6;
+                        if !((_e360 >= _e376)) {
+                            let _e380 = global_3.member_9;
+                            if (_e380 != 0u) {
+                                let _e384 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_5224_ = 0f;
-                            phi_5215_ = vec2<f32>(0f, 0f);
-                            phi_5214_ = false;
+                            phi_4537_ = 0f;
+                            phi_4531_ = vec2<f32>(0f, 0f);
+                            phi_4530_ = false;
                             break;
                         }
-                        let _e412 = global.member;
-                        let _e413 = _e369.xy;
-                        let _e415 = vec2(_e368);
-                        let _e418 = global.member_1;
-                        let _e419 = (((_e412 * _e413) / _e415) + _e418);
-                        let _e421 = global.member_5;
-                        let _e425 = all((_e419 >= vec2(-(_e421))));
-                        phi_3565_ = _e425;
-                        if _e425 {
-                            let _e427 = global.member_4;
-                            phi_3565_ = all((_e419 <= (_e427 + vec2(_e421))));
+                        let _e386 = global.member;
+                        let _e392 = global.member_1;
+                        let _e393 = (((_e386 * _e361.xy) / vec2(_e360)) + _e392);
+                        let _e395 = global.member_5;
+                        let _e399 = all((_e393 >= vec2(-(_e395))));
+                        phi_3194_ = _e399;
+                        if _e399 {
+                            let _e401 = global.member_4;
+                            phi_3194_ = all((_e393 <= (_e401 + vec2(_e395))));
                         }
-                        let _e433 = phi_3565_;
-                        if !(_e433) {
-                            let _e436 = global_2.member_9;
-                            if (_e436 != 0u) {
-                                let _e440 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e407 = phi_3194_;
+                        if !(_e407) {
+                            let _e410 = global_3.member_9;
+                            if (_e410 != 0u) {
+                                let _e414 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_5224_ = 0f;
-                            phi_5215_ = _e419;
-                            phi_5214_ = false;
+                            phi_4537_ = 0f;
+                            phi_4531_ = _e393;
+                            phi_4530_ = false;
                             break;
                         }
-                        let _e442 = global.member_7;
-                        let _e445 = global.member_8;
-                        let _e446 = ((_e442 - _e368) * _e445);
-                        if (_e446 < 0f) {
-                            phi_5199_ = (0.015625f / (1f - _e446));
+                        let _e416 = global.member_7;
+                        let _e419 = global.member_8;
+                        let _e420 = ((_e416 - _e360) * _e419);
+                        if (_e420 < 0f) {
+                            phi_4529_ = (0.015625f / (1f - _e420));
                         } else {
-                            if (_e446 > 1f) {
-                                phi_5198_ = (1f - (0.015625f / _e446));
+                            if (_e420 > 1f) {
+                                phi_4528_ = (1f - (0.015625f / _e420));
                             } else {
-                                phi_5198_ = (0.015625f + (0.96875f * clamp(_e446, 0f, 1f)));
+                                phi_4528_ = (0.015625f + (0.96875f * clamp(_e420, 0f, 1f)));
                             }
-                            let _e455 = phi_5198_;
-                            phi_5199_ = _e455;
+                            let _e429 = phi_4528_;
+                            phi_4529_ = _e429;
                         }
-                        let _e459 = phi_5199_;
-                        let _e460 = (_e413 / _e415);
-                        let _e468 = global.member[0u];
-                        let _e471 = global.member[1u];
-                        let _e476 = global.member_31;
-                        let _e477 = (_e476 > 0u);
-                        phi_3614_ = _e477;
-                        if _e477 {
-                            let _e479 = global.member_34;
-                            let _e482 = global.member_29;
-                            let _e489 = global.member_49;
-                            let _e493 = global.member_51;
-                            switch bitcast<i32>(0u) {
-                                default: {
-                                    let _e499 = vec2(((sqrt((2f * log(max((max(255f, _e479) / _e482), 1f)))) * sqrt(_e489)) * ((((((1.2f * exp(min(max(max(_e260.x, _e260.y), _e260.z), 9f))) * sqrt(max(max(dot(_e370, _e370), dot(_e371, _e371)), dot(_e372, _e372)))) * length(vec3<f32>(_e460.x, _e460.y, 1f))) * max(_e468, _e471)) / _e368) + sqrt(_e493))));
-                                    let _e502 = global.member_32;
-                                    let _e505 = global.member_33;
-                                    let _e513 = vec2<u32>(clamp(((((_e419 - _e499) - _e502) * _e505) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e515 = vec2<u32>(clamp(((((_e419 + _e499) - _e502) * _e505) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e522 = max((_e515.x - _e513.x), (_e515.y - _e513.y));
-                                    if (_e522 <= 3u) {
-                                        phi_5203_ = 0u;
-                                    } else {
-                                        phi_5203_ = (bitcast<u32>(firstLeadingBit((_e522 - 1u))) - 1u);
-                                    }
-                                    let _e529 = phi_5203_;
-                                    if !((_e529 < 4u)) {
-                                        phi_5213_ = false;
-                                        break;
-                                    }
-                                    let _e539 = vec2(_e529);
-                                    let _e541 = (_e513 >> bitcast<vec2<u32>>(_e539));
-                                    let _e543 = (_e515 >> bitcast<vec2<u32>>(_e539));
-                                    let _e545 = (_e541.x & 4294967292u);
-                                    phi_5209_ = _e545;
-                                    phi_5208_ = 0f;
-                                    phi_5206_ = _e541.y;
-                                    loop {
-                                        let _e548 = phi_5209_;
-                                        let _e550 = phi_5208_;
-                                        let _e552 = phi_5206_;
-                                        local_1 = _e550;
-                                        if (_e552 <= _e543.y) {
-                                            continue;
-                                        } else {
-                                            break;
-                                        }
-                                        continuing {
-                                            let _e557 = (vec4(f32(_e548)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e575 = global_3.member[((_e476 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e529))))) + (_e552 * (192u >> bitcast<u32>(_e529)))) + _e548) >> bitcast<u32>(2u)))];
-                                            let _e577 = unpack2x16unorm(_e575.x);
-                                            let _e579 = unpack2x16unorm(_e575.y);
-                                            let _e586 = select(select(vec4<f32>(_e577.x, _e577.y, _e579.x, _e579.y), vec4<f32>(0f, 0f, 0f, 0f), (_e557 < vec4(f32(_e541.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e557 > vec4(f32(_e543.x))));
-                                            let _e595 = (_e548 + 4u);
-                                            let _e596 = (_e595 > _e543.x);
-                                            phi_5209_ = select(_e595, _e545, _e596);
-                                            phi_5208_ = max(_e550, max(max(_e586.x, _e586.y), max(_e586.z, _e586.w)));
-                                            phi_5206_ = (_e552 + select(0u, 1u, _e596));
-                                        }
-                                    }
-                                    let _e601 = local_1;
-                                    phi_5213_ = ((1f - _e459) > _e601);
-                                    break;
-                                }
-                            }
-                            let _e604 = phi_5213_;
-                            phi_3614_ = _e604;
-                        }
-                        let _e606 = phi_3614_;
-                        if _e606 {
-                            let _e608 = global_2.member_9;
-                            if (_e608 != 0u) {
-                                let _e612 = atomicAdd((&global_1.member[1u]), 1u);
-                            }
-                            phi_5224_ = _e459;
-                            phi_5215_ = _e419;
-                            phi_5214_ = false;
-                            break;
-                        }
-                        phi_5224_ = _e459;
-                        phi_5215_ = _e419;
-                        phi_5214_ = true;
+                        let _e433 = phi_4529_;
+                        phi_4537_ = _e433;
+                        phi_4531_ = _e393;
+                        phi_4530_ = true;
                         break;
                     }
                 }
-                let _e614 = phi_5224_;
-                let _e616 = phi_5215_;
-                let _e618 = phi_5214_;
-                if (true && !(_e618)) {
-                    phi_5297_ = 4294967295u;
+                let _e435 = phi_4537_;
+                let _e437 = phi_4531_;
+                let _e439 = phi_4530_;
+                if (true && !(_e439)) {
+                    phi_4598_ = 4294967295u;
                     break;
                 }
-                let _e625 = global_7.member[((3u * _e77) + _e81)];
-                let _e629 = f32((_e625.y >> bitcast<u32>(24u)));
-                let _e631 = global.member_29;
-                if (_e629 <= _e631) {
-                    let _e634 = global_2.member_9;
-                    if (_e634 != 0u) {
-                        let _e638 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e446 = global_7.member[((3u * _e69) + _e73)];
+                let _e450 = f32((_e446.y >> bitcast<u32>(24u)));
+                let _e452 = global.member_29;
+                if (_e450 <= _e452) {
+                    let _e455 = global_3.member_9;
+                    if (_e455 != 0u) {
+                        let _e459 = atomicAdd((&global_2.member[1u]), 1u);
                     }
-                    phi_5297_ = 4294967295u;
+                    phi_4598_ = 4294967295u;
                     break;
                 }
-                let _e652 = ((vec3<f32>(f32((_e625.x & 1023u)), f32(((_e625.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e625.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e656 = sqrt(max((1f - dot(_e652, _e652)), 0f));
-                let _e658 = (_e625.x >> bitcast<u32>(30u));
-                if (_e658 == 0u) {
-                    phi_5236_ = vec4<f32>(_e656, _e652.x, _e652.y, _e652.z);
+                let _e473 = ((vec3<f32>(f32((_e446.x & 1023u)), f32(((_e446.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e446.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e477 = sqrt(max((1f - dot(_e473, _e473)), 0f));
+                let _e479 = (_e446.x >> bitcast<u32>(30u));
+                if (_e479 == 0u) {
+                    phi_4543_ = vec4<f32>(_e477, _e473.x, _e473.y, _e473.z);
                 } else {
-                    if (_e658 == 1u) {
-                        phi_5235_ = vec4<f32>(_e652.x, _e656, _e652.y, _e652.z);
+                    if (_e479 == 1u) {
+                        phi_4542_ = vec4<f32>(_e473.x, _e477, _e473.y, _e473.z);
                     } else {
-                        if (_e658 == 2u) {
-                            phi_5234_ = vec4<f32>(_e652.x, _e652.y, _e656, _e652.z);
+                        if (_e479 == 2u) {
+                            phi_4541_ = vec4<f32>(_e473.x, _e473.y, _e477, _e473.z);
                         } else {
-                            phi_5234_ = vec4<f32>(_e652.x, _e652.y, _e652.z, _e656);
+                            phi_4541_ = vec4<f32>(_e473.x, _e473.y, _e473.z, _e477);
                         }
-                        let _e671 = phi_5234_;
-                        phi_5235_ = _e671;
+                        let _e492 = phi_4541_;
+                        phi_4542_ = _e492;
                     }
-                    let _e677 = phi_5235_;
-                    phi_5236_ = _e677;
+                    let _e498 = phi_4542_;
+                    phi_4543_ = _e498;
                 }
-                let _e683 = phi_5236_;
-                let _e687 = global.member_38;
-                let _e688 = (_e687 > 0u);
-                phi_5254_ = unpack4x8unorm(_e625.y).xyz;
-                if _e688 {
-                    let _e692 = global_7.member[(_e687 + _e81)];
-                    let _e694 = unpack2x16float(_e692.x);
-                    phi_5254_ = vec3<f32>(_e694.x, _e694.y, unpack2x16float(_e692.y).x);
+                let _e504 = phi_4543_;
+                let _e508 = global.member_34;
+                let _e509 = (_e508 > 0u);
+                phi_4555_ = unpack4x8unorm(_e446.y).xyz;
+                if _e509 {
+                    let _e513 = global_7.member[(_e508 + _e73)];
+                    let _e515 = unpack2x16float(_e513.x);
+                    phi_4555_ = vec3<f32>(_e515.x, _e515.y, unpack2x16float(_e513.y).x);
                 }
-                let _e702 = phi_5254_;
-                let _e705 = (1u << bitcast<u32>((_e81 & 31u)));
-                let _e708 = global_7.member[_e85];
-                let _e712 = global_7.member[(_e85 + 1u)];
-                let _e716 = global_7.member[(_e85 + 2u)];
-                phi_5271_ = _e683;
-                if ((_e708.x & _e705) != 0u) {
-                    let _e727 = global.member_22;
-                    let _e729 = global.member_18;
-                    let _e733 = (_e727 + ((_e712.y + bitcast<u32>(countOneBits((_e708.x & (_e705 - 1u))))) * (1u + (4u * _e729))));
-                    let _e734 = (_e733 + 1u);
-                    let _e737 = global_6.member[_e733];
-                    let _e739 = global.member_44;
-                    let _e743 = global.member_19;
-                    phi_5256_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5255_ = 0u;
+                let _e523 = phi_4555_;
+                let _e526 = (1u << bitcast<u32>((_e73 & 31u)));
+                let _e529 = global_7.member[_e77];
+                let _e533 = global_7.member[(_e77 + 1u)];
+                let _e537 = global_7.member[(_e77 + 2u)];
+                phi_4572_ = _e504;
+                if ((_e529.x & _e526) != 0u) {
+                    let _e548 = global.member_22;
+                    let _e550 = global.member_18;
+                    let _e554 = (_e548 + ((_e533.y + bitcast<u32>(countOneBits((_e529.x & (_e526 - 1u))))) * (1u + (4u * _e550))));
+                    let _e555 = (_e554 + 1u);
+                    let _e558 = global_6.member[_e554];
+                    let _e560 = global.member_40;
+                    let _e564 = global.member_19;
+                    phi_4557_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_4556_ = 0u;
                     loop {
-                        let _e747 = phi_5256_;
-                        let _e749 = phi_5255_;
-                        let _e751 = (2u * ((_e739 + ((_e737 >> bitcast<u32>(16u)) * _e743)) + _e749));
-                        let _e754 = global_3.member[_e751];
-                        let _e758 = global_3.member[(_e751 + 1u)];
-                        let _e764 = bitcast<vec4<f32>>(vec4<u32>(_e754.x, _e754.y, _e758.x, _e758.y));
-                        let _e768 = global_6.member[(_e734 + _e749)];
-                        let _e775 = global_6.member[((_e734 + _e729) + _e749)];
-                        let _e783 = global_6.member[((_e734 + (2u * _e729)) + _e749)];
-                        let _e791 = global_6.member[((_e734 + (3u * _e729)) + _e749)];
-                        let _e795 = (_e747 + vec4<f32>(dot(unpack4x8snorm(_e768), _e764), dot(unpack4x8snorm(_e775), _e764), dot(unpack4x8snorm(_e783), _e764), dot(unpack4x8snorm(_e791), _e764)));
-                        let _e797 = (_e749 + bitcast<u32>(1i));
-                        phi_5256_ = _e795;
-                        phi_5255_ = _e797;
-                        local_2 = _e795;
-                        if (_e797 < _e729) {
+                        let _e568 = phi_4557_;
+                        let _e570 = phi_4556_;
+                        let _e572 = (2u * ((_e560 + ((_e558 >> bitcast<u32>(16u)) * _e564)) + _e570));
+                        let _e575 = global_1.member[_e572];
+                        let _e579 = global_1.member[(_e572 + 1u)];
+                        let _e585 = bitcast<vec4<f32>>(vec4<u32>(_e575.x, _e575.y, _e579.x, _e579.y));
+                        let _e589 = global_6.member[(_e555 + _e570)];
+                        let _e596 = global_6.member[((_e555 + _e550) + _e570)];
+                        let _e604 = global_6.member[((_e555 + (2u * _e550)) + _e570)];
+                        let _e612 = global_6.member[((_e555 + (3u * _e550)) + _e570)];
+                        let _e616 = (_e568 + vec4<f32>(dot(unpack4x8snorm(_e589), _e585), dot(unpack4x8snorm(_e596), _e585), dot(unpack4x8snorm(_e604), _e585), dot(unpack4x8snorm(_e612), _e585)));
+                        let _e618 = (_e570 + bitcast<u32>(1i));
+                        phi_4557_ = _e616;
+                        phi_4556_ = _e618;
+                        local_1 = _e616;
+                        if (_e618 < _e550) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e803 = local_2;
-                    let _e805 = (_e683 + (_e803 * (127f * unpack2x16float(_e737).x)));
-                    phi_5271_ = select(_e683, _e805, vec4((length(_e805) >= 0.001f)));
+                    let _e624 = local_1;
+                    let _e626 = (_e504 + (_e624 * (127f * unpack2x16float(_e558).x)));
+                    phi_4572_ = select(_e504, _e626, vec4((length(_e626) >= 0.001f)));
                 }
-                let _e811 = phi_5271_;
-                phi_5275_ = _e260;
-                if ((_e708.y & _e705) != 0u) {
-                    let _e822 = global.member_23;
-                    let _e824 = global.member_18;
-                    let _e828 = (_e822 + ((_e716.x + bitcast<u32>(countOneBits((_e708.y & (_e705 - 1u))))) * (1u + (3u * _e824))));
-                    let _e829 = (_e828 + 1u);
-                    let _e832 = global_6.member[_e828];
-                    let _e834 = global.member_44;
-                    let _e838 = global.member_19;
-                    phi_5259_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5258_ = 0u;
+                let _e632 = phi_4572_;
+                phi_4576_ = _e252;
+                if ((_e529.y & _e526) != 0u) {
+                    let _e643 = global.member_23;
+                    let _e645 = global.member_18;
+                    let _e649 = (_e643 + ((_e537.x + bitcast<u32>(countOneBits((_e529.y & (_e526 - 1u))))) * (1u + (3u * _e645))));
+                    let _e650 = (_e649 + 1u);
+                    let _e653 = global_6.member[_e649];
+                    let _e655 = global.member_40;
+                    let _e659 = global.member_19;
+                    phi_4560_ = vec3<f32>(0f, 0f, 0f);
+                    phi_4559_ = 0u;
                     loop {
-                        let _e842 = phi_5259_;
-                        let _e844 = phi_5258_;
-                        let _e846 = (2u * ((_e834 + ((_e832 >> bitcast<u32>(16u)) * _e838)) + _e844));
-                        let _e849 = global_3.member[_e846];
-                        let _e853 = global_3.member[(_e846 + 1u)];
-                        let _e859 = bitcast<vec4<f32>>(vec4<u32>(_e849.x, _e849.y, _e853.x, _e853.y));
-                        let _e863 = global_6.member[(_e829 + _e844)];
-                        let _e870 = global_6.member[((_e829 + _e824) + _e844)];
-                        let _e878 = global_6.member[((_e829 + (2u * _e824)) + _e844)];
-                        let _e882 = (_e842 + vec3<f32>(dot(unpack4x8snorm(_e863), _e859), dot(unpack4x8snorm(_e870), _e859), dot(unpack4x8snorm(_e878), _e859)));
-                        let _e884 = (_e844 + bitcast<u32>(1i));
-                        phi_5259_ = _e882;
-                        phi_5258_ = _e884;
-                        local_3 = _e882;
-                        if (_e884 < _e824) {
+                        let _e663 = phi_4560_;
+                        let _e665 = phi_4559_;
+                        let _e667 = (2u * ((_e655 + ((_e653 >> bitcast<u32>(16u)) * _e659)) + _e665));
+                        let _e670 = global_1.member[_e667];
+                        let _e674 = global_1.member[(_e667 + 1u)];
+                        let _e680 = bitcast<vec4<f32>>(vec4<u32>(_e670.x, _e670.y, _e674.x, _e674.y));
+                        let _e684 = global_6.member[(_e650 + _e665)];
+                        let _e691 = global_6.member[((_e650 + _e645) + _e665)];
+                        let _e699 = global_6.member[((_e650 + (2u * _e645)) + _e665)];
+                        let _e703 = (_e663 + vec3<f32>(dot(unpack4x8snorm(_e684), _e680), dot(unpack4x8snorm(_e691), _e680), dot(unpack4x8snorm(_e699), _e680)));
+                        let _e705 = (_e665 + bitcast<u32>(1i));
+                        phi_4560_ = _e703;
+                        phi_4559_ = _e705;
+                        local_2 = _e703;
+                        if (_e705 < _e645) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e890 = local_3;
-                    phi_5275_ = (_e260 + (_e890 * (127f * unpack2x16float(_e832).x)));
+                    let _e711 = local_2;
+                    phi_4576_ = (_e252 + (_e711 * (127f * unpack2x16float(_e653).x)));
                 }
-                let _e894 = phi_5275_;
-                phi_5277_ = _e702;
-                if ((_e712.x & _e705) != 0u) {
-                    let _e905 = global.member_24;
-                    let _e907 = global.member_18;
-                    let _e911 = (_e905 + ((_e716.y + bitcast<u32>(countOneBits((_e712.x & (_e705 - 1u))))) * (3u + (3u * _e907))));
-                    let _e915 = global_6.member[(_e911 + 1u)];
-                    let _e916 = unpack2x16float(_e915);
-                    let _e920 = global_6.member[(_e911 + 2u)];
-                    let _e928 = (_e911 + 3u);
-                    let _e931 = global_6.member[_e911];
-                    let _e933 = global.member_44;
-                    let _e937 = global.member_19;
-                    phi_5268_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5267_ = 0u;
+                let _e715 = phi_4576_;
+                phi_4578_ = _e523;
+                if ((_e533.x & _e526) != 0u) {
+                    let _e726 = global.member_24;
+                    let _e728 = global.member_18;
+                    let _e732 = (_e726 + ((_e537.y + bitcast<u32>(countOneBits((_e533.x & (_e526 - 1u))))) * (3u + (3u * _e728))));
+                    let _e736 = global_6.member[(_e732 + 1u)];
+                    let _e737 = unpack2x16float(_e736);
+                    let _e741 = global_6.member[(_e732 + 2u)];
+                    let _e749 = (_e732 + 3u);
+                    let _e752 = global_6.member[_e732];
+                    let _e754 = global.member_40;
+                    let _e758 = global.member_19;
+                    phi_4569_ = vec3<f32>(0f, 0f, 0f);
+                    phi_4568_ = 0u;
                     loop {
-                        let _e941 = phi_5268_;
-                        let _e943 = phi_5267_;
-                        let _e945 = (2u * ((_e933 + ((_e931 >> bitcast<u32>(16u)) * _e937)) + _e943));
-                        let _e948 = global_3.member[_e945];
-                        let _e952 = global_3.member[(_e945 + 1u)];
-                        let _e958 = bitcast<vec4<f32>>(vec4<u32>(_e948.x, _e948.y, _e952.x, _e952.y));
-                        let _e962 = global_6.member[(_e928 + _e943)];
-                        let _e969 = global_6.member[((_e928 + _e907) + _e943)];
-                        let _e977 = global_6.member[((_e928 + (2u * _e907)) + _e943)];
-                        let _e981 = (_e941 + vec3<f32>(dot(unpack4x8snorm(_e962), _e958), dot(unpack4x8snorm(_e969), _e958), dot(unpack4x8snorm(_e977), _e958)));
-                        let _e983 = (_e943 + bitcast<u32>(1i));
-                        phi_5268_ = _e981;
-                        phi_5267_ = _e983;
-                        local_4 = _e981;
-                        if (_e983 < _e907) {
+                        let _e762 = phi_4569_;
+                        let _e764 = phi_4568_;
+                        let _e766 = (2u * ((_e754 + ((_e752 >> bitcast<u32>(16u)) * _e758)) + _e764));
+                        let _e769 = global_1.member[_e766];
+                        let _e773 = global_1.member[(_e766 + 1u)];
+                        let _e779 = bitcast<vec4<f32>>(vec4<u32>(_e769.x, _e769.y, _e773.x, _e773.y));
+                        let _e783 = global_6.member[(_e749 + _e764)];
+                        let _e790 = global_6.member[((_e749 + _e728) + _e764)];
+                        let _e798 = global_6.member[((_e749 + (2u * _e728)) + _e764)];
+                        let _e802 = (_e762 + vec3<f32>(dot(unpack4x8snorm(_e783), _e779), dot(unpack4x8snorm(_e790), _e779), dot(unpack4x8snorm(_e798), _e779)));
+                        let _e804 = (_e764 + bitcast<u32>(1i));
+                        phi_4569_ = _e802;
+                        phi_4568_ = _e804;
+                        local_3 = _e802;
+                        if (_e804 < _e728) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e989 = local_4;
-                    phi_5277_ = (select(vec3<f32>(_e916.x, _e916.y, unpack2x16float(_e920).x), _e702, vec3(_e688)) + (_e989 * (127f * unpack2x16float(_e931).x)));
+                    let _e810 = local_3;
+                    phi_4578_ = (select(vec3<f32>(_e737.x, _e737.y, unpack2x16float(_e741).x), _e523, vec3(_e509)) + (_e810 * (127f * unpack2x16float(_e752).x)));
                 }
-                let _e993 = phi_5277_;
-                let _e994 = normalize(_e811);
-                let _e999 = (_e994.z * _e994.z);
-                let _e1000 = (_e994.w * _e994.w);
-                let _e1004 = (_e994.y * _e994.z);
-                let _e1005 = (_e994.x * _e994.w);
-                let _e1008 = (_e994.y * _e994.w);
-                let _e1009 = (_e994.x * _e994.z);
-                let _e1014 = (_e994.y * _e994.y);
-                let _e1018 = (_e994.z * _e994.w);
-                let _e1019 = (_e994.x * _e994.y);
-                let _e1033 = exp(min(_e894, vec3<f32>(9f, 9f, 9f)));
-                let _e1040 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e999 + _e1000))), (2f * (_e1004 + _e1005)), (2f * (_e1008 - _e1009))) * _e1033.x), (vec3<f32>((2f * (_e1004 - _e1005)), (1f - (2f * (_e1014 + _e1000))), (2f * (_e1018 + _e1019))) * _e1033.y), (vec3<f32>((2f * (_e1008 + _e1009)), (2f * (_e1018 - _e1019)), (1f - (2f * (_e1014 + _e999)))) * _e1033.z));
+                let _e814 = phi_4578_;
+                let _e815 = normalize(_e632);
+                let _e820 = (_e815.z * _e815.z);
+                let _e821 = (_e815.w * _e815.w);
+                let _e825 = (_e815.y * _e815.z);
+                let _e826 = (_e815.x * _e815.w);
+                let _e829 = (_e815.y * _e815.w);
+                let _e830 = (_e815.x * _e815.z);
+                let _e835 = (_e815.y * _e815.y);
+                let _e839 = (_e815.z * _e815.w);
+                let _e840 = (_e815.x * _e815.y);
+                let _e854 = exp(min(_e715, vec3<f32>(9f, 9f, 9f)));
+                let _e861 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e820 + _e821))), (2f * (_e825 + _e826)), (2f * (_e829 - _e830))) * _e854.x), (vec3<f32>((2f * (_e825 - _e826)), (1f - (2f * (_e835 + _e821))), (2f * (_e839 + _e840))) * _e854.y), (vec3<f32>((2f * (_e829 + _e830)), (2f * (_e839 - _e840)), (1f - (2f * (_e835 + _e820)))) * _e854.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1046 = global.member_2;
-                        let _e1048 = global.member_3;
-                        let _e1049 = clamp((_e369.xy / vec2(_e368)), _e1046, _e1048);
-                        let _e1052 = global.member[0u];
-                        let _e1058 = (((vec3<f32>(_e353.x, _e353.y, _e353.z) - (_e384 * _e1049.x)) * (_e1052 / _e368)) * _e1040);
-                        let _e1061 = global.member[1u];
-                        let _e1067 = (((vec3<f32>(_e359.x, _e359.y, _e359.z) - (_e384 * _e1049.y)) * (_e1061 / _e368)) * _e1040);
-                        let _e1069 = global.member_51;
-                        let _e1071 = (dot(_e1058, _e1058) + _e1069);
-                        let _e1074 = (dot(_e1067, _e1067) + _e1069);
-                        let _e1076 = cross(_e1058, _e1067);
-                        let _e1077 = dot(_e1076, _e1076);
-                        let _e1081 = (_e1077 + (_e1069 * ((_e1071 + _e1074) - _e1069)));
-                        let _e1082 = (_e1081 > 0f);
-                        phi_4660_ = _e1082;
-                        if _e1082 {
-                            phi_4660_ = (_e1071 <= 1000000000000000000f);
+                        let _e867 = global.member_2;
+                        let _e869 = global.member_3;
+                        let _e870 = clamp((_e361.xy / vec2(_e360)), _e867, _e869);
+                        let _e873 = global.member[0u];
+                        let _e879 = (((vec3<f32>(_e345.x, _e345.y, _e345.z) - (_e373 * _e870.x)) * (_e873 / _e360)) * _e861);
+                        let _e882 = global.member[1u];
+                        let _e888 = (((vec3<f32>(_e351.x, _e351.y, _e351.z) - (_e373 * _e870.y)) * (_e882 / _e360)) * _e861);
+                        let _e890 = global.member_47;
+                        let _e892 = (dot(_e879, _e879) + _e890);
+                        let _e895 = (dot(_e888, _e888) + _e890);
+                        let _e897 = cross(_e879, _e888);
+                        let _e898 = dot(_e897, _e897);
+                        let _e902 = (_e898 + (_e890 * ((_e892 + _e895) - _e890)));
+                        let _e903 = (_e902 > 0f);
+                        phi_4012_ = _e903;
+                        if _e903 {
+                            phi_4012_ = (_e892 <= 1000000000000000000f);
                         }
-                        let _e1085 = phi_4660_;
-                        phi_4666_ = _e1085;
-                        if _e1085 {
-                            phi_4666_ = (_e1074 <= 1000000000000000000f);
+                        let _e906 = phi_4012_;
+                        phi_4018_ = _e906;
+                        if _e906 {
+                            phi_4018_ = (_e895 <= 1000000000000000000f);
                         }
-                        let _e1088 = phi_4666_;
-                        if !(_e1088) {
-                            let _e1091 = global_2.member_9;
-                            if (_e1091 != 0u) {
-                                let _e1095 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e909 = phi_4018_;
+                        if !(_e909) {
+                            let _e912 = global_3.member_9;
+                            if (_e912 != 0u) {
+                                let _e916 = atomicAdd((&global_2.member[2u]), 1u);
                             }
-                            phi_5296_ = 4294967295u;
+                            phi_4597_ = 4294967295u;
                             break;
                         }
-                        phi_5282_ = (1f - (_e629 * 0.003921569f));
-                        phi_5281_ = 0u;
+                        phi_4583_ = (1f - (_e450 * 0.003921569f));
+                        phi_4582_ = 0u;
                         loop {
-                            let _e1099 = phi_5282_;
-                            let _e1101 = phi_5281_;
-                            local_5 = _e1099;
-                            if (_e1101 < _e79) {
+                            let _e920 = phi_4583_;
+                            let _e922 = phi_4582_;
+                            local_4 = _e920;
+                            if (_e922 < _e71) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5282_ = (_e1099 * _e1099);
-                                phi_5281_ = (_e1101 + bitcast<u32>(1i));
+                                phi_4583_ = (_e920 * _e920);
+                                phi_4582_ = (_e922 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1107 = local_5;
-                        let _e1111 = u32(round((255f * (1f - _e1107))));
-                        let _e1113 = global.member_52;
-                        phi_5290_ = _e1111;
-                        if (_e1113 > 0f) {
-                            let _e1123 = u32(round((f32(_e1111) * ((1f - _e1113) + (_e1113 * sqrt((_e1077 / _e1081)))))));
-                            if (f32(_e1123) <= _e631) {
-                                let _e1127 = global_2.member_9;
-                                if (_e1127 != 0u) {
-                                    let _e1131 = atomicAdd((&global_1.member[2u]), 1u);
+                        let _e928 = local_4;
+                        let _e932 = u32(round((255f * (1f - _e928))));
+                        let _e934 = global.member_48;
+                        phi_4591_ = _e932;
+                        if (_e934 > 0f) {
+                            let _e944 = u32(round((f32(_e932) * ((1f - _e934) + (_e934 * sqrt((_e898 / _e902)))))));
+                            if (f32(_e944) <= _e452) {
+                                let _e948 = global_3.member_9;
+                                if (_e948 != 0u) {
+                                    let _e952 = atomicAdd((&global_2.member[1u]), 1u);
                                 }
-                                phi_5296_ = 4294967295u;
+                                phi_4597_ = 4294967295u;
                                 break;
                             }
-                            phi_5290_ = _e1123;
+                            phi_4591_ = _e944;
                         }
-                        let _e1133 = phi_5290_;
-                        let _e1135 = global.member_49;
-                        let _e1136 = (vec3<f32>(_e1071, dot(_e1058, _e1067), _e1074) * _e1135);
-                        let _e1149 = global.member_53;
-                        let _e1150 = ((sqrt(_e1136.xz) * sqrt((2f * log(max((f32(_e1133) / _e631), 1f))))) * _e1149);
-                        let _e1153 = global.member_54;
-                        let _e1156 = all(((_e616 + _e1150) > _e1153.xy));
-                        phi_4744_ = _e1156;
-                        if _e1156 {
-                            phi_4744_ = all(((_e616 - _e1150) < _e1153.zw));
+                        let _e954 = phi_4591_;
+                        let _e956 = global.member_45;
+                        let _e957 = (vec3<f32>(_e892, dot(_e879, _e888), _e895) * _e956);
+                        let _e970 = global.member_49;
+                        let _e971 = ((sqrt(_e957.xz) * sqrt((2f * log(max((f32(_e954) / _e452), 1f))))) * _e970);
+                        let _e974 = global.member_50;
+                        let _e977 = all(((_e437 + _e971) > _e974.xy));
+                        phi_4096_ = _e977;
+                        if _e977 {
+                            phi_4096_ = all(((_e437 - _e971) < _e974.zw));
                         }
-                        let _e1162 = phi_4744_;
-                        if !(_e1162) {
-                            let _e1165 = global_2.member_9;
-                            if (_e1165 != 0u) {
-                                let _e1169 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e983 = phi_4096_;
+                        if !(_e983) {
+                            let _e986 = global_3.member_9;
+                            if (_e986 != 0u) {
+                                let _e990 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_5296_ = 4294967295u;
+                            phi_4597_ = 4294967295u;
                             break;
                         }
-                        let _e1174 = (0.5f * (_e1136.x - _e1136.z));
-                        let _e1179 = sqrt(((_e1174 * _e1174) + (_e1136.y * _e1136.y)));
-                        let _e1182 = ((0.5f * (_e1136.x + _e1136.z)) + _e1179);
-                        if (_e1174 >= 0f) {
-                            phi_5294_ = vec2<f32>((_e1174 + _e1179), _e1136.y);
+                        let _e995 = (0.5f * (_e957.x - _e957.z));
+                        let _e1000 = sqrt(((_e995 * _e995) + (_e957.y * _e957.y)));
+                        let _e1003 = ((0.5f * (_e957.x + _e957.z)) + _e1000);
+                        if (_e995 >= 0f) {
+                            phi_4595_ = vec2<f32>((_e995 + _e1000), _e957.y);
                         } else {
-                            phi_5294_ = vec2<f32>(_e1136.y, (_e1179 - _e1174));
+                            phi_4595_ = vec2<f32>(_e957.y, (_e1000 - _e995));
                         }
-                        let _e1189 = phi_5294_;
-                        if (_e1179 > (0.00000001f * _e1182)) {
-                            phi_5295_ = normalize(_e1189);
+                        let _e1010 = phi_4595_;
+                        if (_e1000 > (0.00000001f * _e1003)) {
+                            phi_4596_ = normalize(_e1010);
                         } else {
-                            phi_5295_ = vec2<f32>(1f, 0f);
+                            phi_4596_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1194 = phi_5295_;
-                        let _e1201 = global.member_5;
-                        let _e1205 = global.member_10;
-                        let _e1209 = vec2<u32>(clamp(round(((_e616 + vec2(_e1201)) * _e1205)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1212 = vec3<u32>(round((clamp(_e993, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1240 = global.member_45;
-                        let _e1242 = (4u * (_e1240 + _e71));
-                        global_4.member[_e1242] = ((_e1209.x | (_e1212.x << bitcast<u32>(20u))) | (_e1212.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1242 + 1u)] = (_e1209.y | (_e1212.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1242 + 2u)] = pack2x16float((_e1194 * min(sqrt(_e1182), 65504f)));
-                        global_4.member[(_e1242 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1081 * (_e1135 * _e1135)) / _e1182)), 65504f), 0f)) | (_e1133 << bitcast<u32>(16u))) | ((_e1212.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1255 = global.member_9;
-                        phi_5296_ = min(u32((_e614 * f32(_e1255))), _e1255);
+                        let _e1015 = phi_4596_;
+                        let _e1022 = global.member_5;
+                        let _e1026 = global.member_10;
+                        let _e1030 = vec2<u32>(clamp(round(((_e437 + vec2(_e1022)) * _e1026)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1033 = vec3<u32>(round((clamp(_e814, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1061 = global.member_41;
+                        let _e1063 = (4u * (_e1061 + _e63));
+                        global_4.member[_e1063] = ((_e1030.x | (_e1033.x << bitcast<u32>(20u))) | (_e1033.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1063 + 1u)] = (_e1030.y | (_e1033.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1063 + 2u)] = pack2x16float((_e1015 * min(sqrt(_e1003), 65504f)));
+                        global_4.member[(_e1063 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e902 * (_e956 * _e956)) / _e1003)), 65504f), 0f)) | (_e954 << bitcast<u32>(16u))) | ((_e1033.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1076 = global.member_9;
+                        phi_4597_ = min(u32((_e435 * f32(_e1076))), _e1076);
                         break;
                     }
                 }
-                let _e1261 = phi_5296_;
-                phi_5297_ = _e1261;
+                let _e1082 = phi_4597_;
+                phi_4598_ = _e1082;
                 break;
             }
         }
-        let _e1263 = phi_5297_;
-        phi_5298_ = _e1263;
+        let _e1084 = phi_4598_;
+        phi_4599_ = _e1084;
     } else {
-        phi_5298_ = 4294967295u;
+        phi_4599_ = 4294967295u;
     }
-    let _e1265 = phi_5298_;
+    let _e1086 = phi_4599_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1268 = bitcast<u32>(param[0u]);
-            let _e1270 = global.member_45;
-            let _e1271 = (_e1270 + _e71);
-            if (_e1265 != 4294967295u) {
-                let _e1274 = global.member_41;
-                let _e1278 = global.member_40;
-                let _e1284 = atomicAdd((&global_1.member[((_e1278 + ((_e1271 / _e1274) * 256u)) + (_e1265 & 255u))]), 1u);
+            let _e1089 = bitcast<u32>(param[0u]);
+            let _e1091 = global.member_41;
+            let _e1092 = (_e1091 + _e63);
+            if (_e1086 != 4294967295u) {
+                let _e1095 = global.member_37;
+                let _e1099 = global.member_36;
+                let _e1105 = atomicAdd((&global_2.member[((_e1099 + ((_e1092 / _e1095) * 256u)) + (_e1086 & 255u))]), 1u);
             }
-            let _e1286 = global.member_39;
-            if (_e1286 == 0u) {
-                if (_e71 < (_e73 + (_e73 & 1u))) {
-                    let _e1292 = global.member_28;
-                    global_4.member[(_e1292 + _e1271)] = _e1265;
+            let _e1107 = global.member_35;
+            if (_e1107 == 0u) {
+                if (_e63 < (_e65 + (_e65 & 1u))) {
+                    let _e1113 = global.member_28;
+                    global_4.member[(_e1113 + _e1092)] = _e1086;
                 }
                 break;
             }
-            global_5[_e1268] = _e1265;
+            global_5[_e1089] = _e1086;
             workgroupBarrier();
-            let _e1298 = ((_e1268 & 1u) == 0u);
-            if select(_e1298, _e74, _e1298) {
-                let _e1301 = global.member_28;
-                let _e1308 = global_5[(_e1268 + 1u)];
-                global_4.member[(_e1301 + (_e1271 >> bitcast<u32>(1u)))] = ((_e1265 & 65535u) | (_e1308 << bitcast<u32>(16u)));
+            let _e1119 = ((_e1089 & 1u) == 0u);
+            if select(_e1119, _e66, _e1119) {
+                let _e1122 = global.member_28;
+                let _e1129 = global_5[(_e1089 + 1u)];
+                global_4.member[(_e1122 + (_e1092 >> bitcast<u32>(1u)))] = ((_e1086 & 65535u) | (_e1129 << bitcast<u32>(16u)));
             }
             break;
         }

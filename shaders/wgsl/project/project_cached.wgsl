@@ -38,37 +38,33 @@ struct type_15 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_11, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_11, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -94,404 +90,306 @@ struct type_20 {
     member_15: f32,
 }
 
-struct type_22 {
-    member: array<vec2<u32>>,
-}
-
-struct type_26 {
+struct type_24 {
     member: array<atomic<u32>>,
 }
 
-struct type_28 {
+struct type_26 {
     member: array<atomic<u32>, LENGTH_6_4>,
 }
 
-struct type_30 {
-    member: array<vec2<u32>, LENGTH_1_8>,
-}
-
-struct type_32 {
-    member: array<u32, LENGTH_2_4>,
+struct type_28 {
+    member: array<u32, LENGTH_1_4>,
 }
 
 @group(0) @binding(0) 
 var<uniform> global: type_15;
 @group(0) @binding(6) 
-var<storage, read_write> global_1: type_28;
+var<storage, read_write> global_1: type_26;
 @group(0) @binding(7) 
 var<uniform> global_2: type_20;
 @group(0) @binding(1) 
-var<storage> global_3: type_30;
-@group(0) @binding(2) 
-var<storage, read_write> global_4: type_32;
-var<workgroup> global_5: array<u32, 64>;
+var<storage, read_write> global_3: type_28;
+var<workgroup> global_4: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1700_: bool;
-    var phi_2706_: f32;
-    var phi_2707_: f32;
-    var phi_2711_: u32;
-    var phi_2717_: u32;
-    var phi_2716_: f32;
-    var phi_2714_: u32;
+    var phi_1375_: bool;
+    var phi_2084_: f32;
+    var phi_2085_: f32;
+    var phi_2093_: f32;
+    var phi_2087_: vec2<f32>;
+    var phi_2086_: bool;
+    var phi_1626_: bool;
+    var phi_1632_: bool;
+    var phi_2101_: f32;
+    var phi_2100_: u32;
     var local: f32;
-    var phi_2721_: bool;
-    var phi_1749_: bool;
-    var phi_2732_: f32;
-    var phi_2723_: vec2<f32>;
-    var phi_2722_: bool;
-    var phi_2228_: bool;
-    var phi_2234_: bool;
-    var phi_2746_: f32;
-    var phi_2745_: u32;
-    var local_1: f32;
-    var phi_2754_: u32;
-    var phi_2312_: bool;
-    var phi_2758_: vec2<f32>;
-    var phi_2759_: vec2<f32>;
-    var phi_2760_: u32;
-    var phi_2761_: u32;
-    var phi_2762_: u32;
+    var phi_2109_: u32;
+    var phi_1710_: bool;
+    var phi_2113_: vec2<f32>;
+    var phi_2114_: vec2<f32>;
+    var phi_2115_: u32;
+    var phi_2116_: u32;
+    var phi_2117_: u32;
 
-    let _e67 = bitcast<u32>(param_1[0u]);
-    let _e69 = global.member_48;
-    let _e70 = (_e67 < _e69);
-    if _e70 {
+    let _e59 = bitcast<u32>(param_1[0u]);
+    let _e61 = global.member_44;
+    let _e62 = (_e59 < _e61);
+    if _e62 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e73 = global.member_42;
-                let _e75 = (_e73 + (3u * _e67));
-                let _e78 = global_4.member[_e75];
-                let _e82 = global_4.member[(_e75 + 1u)];
-                let _e86 = global_4.member[(_e75 + 2u)];
-                let _e104 = global.member_55;
-                let _e107 = global.member_56;
-                let _e110 = (vec3<f32>(((vec3<u32>((_e78 & 65535u), (_e78 >> bitcast<u32>(16u)), (_e82 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e86, (_e86 >> bitcast<u32>(8u)), (_e86 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
-                let _e124 = (_e104.xyz + (_e107.xyz * select(select(((_e110 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e110, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e110 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e110), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e110 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
-                let _e128 = vec4<f32>(_e124.x, _e124.y, _e124.z, 1f);
-                let _e131 = global.member_57[0i];
-                let _e135 = global.member_57[1i];
-                let _e139 = global.member_57[2i];
-                let _e140 = dot(_e139, _e128);
-                let _e141 = vec3<f32>(dot(_e131, _e128), dot(_e135, _e128), _e140);
-                let _e143 = global.member_43;
-                let _e151 = (_e143 * exp2(((f32(((_e82 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)));
+                let _e65 = global.member_38;
+                let _e67 = (_e65 + (3u * _e59));
+                let _e70 = global_3.member[_e67];
+                let _e74 = global_3.member[(_e67 + 1u)];
+                let _e78 = global_3.member[(_e67 + 2u)];
+                let _e96 = global.member_51;
+                let _e99 = global.member_52;
+                let _e102 = (vec3<f32>(((vec3<u32>((_e70 & 65535u), (_e70 >> bitcast<u32>(16u)), (_e74 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e78, (_e78 >> bitcast<u32>(8u)), (_e78 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
+                let _e116 = (_e96.xyz + (_e99.xyz * select(select(((_e102 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e102, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e102 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e102), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e102 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
+                let _e120 = vec4<f32>(_e116.x, _e116.y, _e116.z, 1f);
+                let _e123 = global.member_53[0i];
+                let _e127 = global.member_53[1i];
+                let _e131 = global.member_53[2i];
+                let _e132 = dot(_e131, _e120);
+                let _e133 = vec3<f32>(dot(_e123, _e120), dot(_e127, _e120), _e132);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e154 = global.member_6;
-                        if !((_e140 >= _e154)) {
-                            let _e158 = global_2.member_9;
-                            if (_e158 != 0u) {
-                                let _e162 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e136 = global.member_6;
+                        if !((_e132 >= _e136)) {
+                            let _e140 = global_2.member_9;
+                            if (_e140 != 0u) {
+                                let _e144 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2732_ = 0f;
-                            phi_2723_ = vec2<f32>(0f, 0f);
-                            phi_2722_ = false;
+                            phi_2093_ = 0f;
+                            phi_2087_ = vec2<f32>(0f, 0f);
+                            phi_2086_ = false;
                             break;
                         }
-                        let _e164 = global.member;
-                        let _e165 = _e141.xy;
-                        let _e167 = vec2(_e140);
-                        let _e170 = global.member_1;
-                        let _e171 = (((_e164 * _e165) / _e167) + _e170);
-                        let _e173 = global.member_5;
-                        let _e177 = all((_e171 >= vec2(-(_e173))));
-                        phi_1700_ = _e177;
-                        if _e177 {
-                            let _e179 = global.member_4;
-                            phi_1700_ = all((_e171 <= (_e179 + vec2(_e173))));
+                        let _e146 = global.member;
+                        let _e152 = global.member_1;
+                        let _e153 = (((_e146 * _e133.xy) / vec2(_e132)) + _e152);
+                        let _e155 = global.member_5;
+                        let _e159 = all((_e153 >= vec2(-(_e155))));
+                        phi_1375_ = _e159;
+                        if _e159 {
+                            let _e161 = global.member_4;
+                            phi_1375_ = all((_e153 <= (_e161 + vec2(_e155))));
                         }
-                        let _e185 = phi_1700_;
-                        if !(_e185) {
-                            let _e188 = global_2.member_9;
-                            if (_e188 != 0u) {
-                                let _e192 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e167 = phi_1375_;
+                        if !(_e167) {
+                            let _e170 = global_2.member_9;
+                            if (_e170 != 0u) {
+                                let _e174 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2732_ = 0f;
-                            phi_2723_ = _e171;
-                            phi_2722_ = false;
+                            phi_2093_ = 0f;
+                            phi_2087_ = _e153;
+                            phi_2086_ = false;
                             break;
                         }
-                        let _e194 = global.member_7;
-                        let _e197 = global.member_8;
-                        let _e198 = ((_e194 - _e140) * _e197);
-                        if (_e198 < 0f) {
-                            phi_2707_ = (0.015625f / (1f - _e198));
+                        let _e176 = global.member_7;
+                        let _e179 = global.member_8;
+                        let _e180 = ((_e176 - _e132) * _e179);
+                        if (_e180 < 0f) {
+                            phi_2085_ = (0.015625f / (1f - _e180));
                         } else {
-                            if (_e198 > 1f) {
-                                phi_2706_ = (1f - (0.015625f / _e198));
+                            if (_e180 > 1f) {
+                                phi_2084_ = (1f - (0.015625f / _e180));
                             } else {
-                                phi_2706_ = (0.015625f + (0.96875f * clamp(_e198, 0f, 1f)));
+                                phi_2084_ = (0.015625f + (0.96875f * clamp(_e180, 0f, 1f)));
                             }
-                            let _e209 = phi_2706_;
-                            phi_2707_ = _e209;
+                            let _e191 = phi_2084_;
+                            phi_2085_ = _e191;
                         }
-                        let _e211 = phi_2707_;
-                        let _e212 = (_e165 / _e167);
-                        let _e220 = global.member[0u];
-                        let _e223 = global.member[1u];
-                        let _e228 = global.member_31;
-                        let _e229 = (_e228 > 0u);
-                        phi_1749_ = _e229;
-                        if _e229 {
-                            let _e231 = global.member_34;
-                            let _e234 = global.member_29;
-                            let _e241 = global.member_49;
-                            let _e245 = global.member_51;
-                            switch bitcast<i32>(0u) {
-                                default: {
-                                    let _e251 = vec2(((sqrt((2f * log(max((max(255f, _e231) / _e234), 1f)))) * sqrt(_e241)) * ((((_e151 * length(vec3<f32>(_e212.x, _e212.y, 1f))) * max(_e220, _e223)) / _e140) + sqrt(_e245))));
-                                    let _e254 = global.member_32;
-                                    let _e257 = global.member_33;
-                                    let _e265 = vec2<u32>(clamp(((((_e171 - _e251) - _e254) * _e257) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e267 = vec2<u32>(clamp(((((_e171 + _e251) - _e254) * _e257) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e274 = max((_e267.x - _e265.x), (_e267.y - _e265.y));
-                                    if (_e274 <= 3u) {
-                                        phi_2711_ = 0u;
-                                    } else {
-                                        phi_2711_ = (bitcast<u32>(firstLeadingBit((_e274 - 1u))) - 1u);
-                                    }
-                                    let _e281 = phi_2711_;
-                                    if !((_e281 < 4u)) {
-                                        phi_2721_ = false;
-                                        break;
-                                    }
-                                    let _e291 = vec2(_e281);
-                                    let _e293 = (_e265 >> bitcast<vec2<u32>>(_e291));
-                                    let _e295 = (_e267 >> bitcast<vec2<u32>>(_e291));
-                                    let _e297 = (_e293.x & 4294967292u);
-                                    phi_2717_ = _e297;
-                                    phi_2716_ = 0f;
-                                    phi_2714_ = _e293.y;
-                                    loop {
-                                        let _e300 = phi_2717_;
-                                        let _e302 = phi_2716_;
-                                        let _e304 = phi_2714_;
-                                        local = _e302;
-                                        if (_e304 <= _e295.y) {
-                                            continue;
-                                        } else {
-                                            break;
-                                        }
-                                        continuing {
-                                            let _e309 = (vec4(f32(_e300)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e327 = global_3.member[((_e228 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e281))))) + (_e304 * (192u >> bitcast<u32>(_e281)))) + _e300) >> bitcast<u32>(2u)))];
-                                            let _e329 = unpack2x16unorm(_e327.x);
-                                            let _e331 = unpack2x16unorm(_e327.y);
-                                            let _e338 = select(select(vec4<f32>(_e329.x, _e329.y, _e331.x, _e331.y), vec4<f32>(0f, 0f, 0f, 0f), (_e309 < vec4(f32(_e293.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e309 > vec4(f32(_e295.x))));
-                                            let _e347 = (_e300 + 4u);
-                                            let _e348 = (_e347 > _e295.x);
-                                            phi_2717_ = select(_e347, _e297, _e348);
-                                            phi_2716_ = max(_e302, max(max(_e338.x, _e338.y), max(_e338.z, _e338.w)));
-                                            phi_2714_ = (_e304 + select(0u, 1u, _e348));
-                                        }
-                                    }
-                                    let _e353 = local;
-                                    phi_2721_ = ((1f - _e211) > _e353);
-                                    break;
-                                }
-                            }
-                            let _e356 = phi_2721_;
-                            phi_1749_ = _e356;
-                        }
-                        let _e358 = phi_1749_;
-                        if _e358 {
-                            let _e360 = global_2.member_9;
-                            if (_e360 != 0u) {
-                                let _e364 = atomicAdd((&global_1.member[1u]), 1u);
-                            }
-                            phi_2732_ = _e211;
-                            phi_2723_ = _e171;
-                            phi_2722_ = false;
-                            break;
-                        }
-                        phi_2732_ = _e211;
-                        phi_2723_ = _e171;
-                        phi_2722_ = true;
+                        let _e193 = phi_2085_;
+                        phi_2093_ = _e193;
+                        phi_2087_ = _e153;
+                        phi_2086_ = true;
                         break;
                     }
                 }
-                let _e366 = phi_2732_;
-                let _e368 = phi_2723_;
-                let _e370 = phi_2722_;
-                if !(_e370) {
-                    phi_2761_ = 4294967295u;
+                let _e195 = phi_2093_;
+                let _e197 = phi_2087_;
+                let _e199 = phi_2086_;
+                if !(_e199) {
+                    phi_2116_ = 4294967295u;
                     break;
                 }
-                let _e372 = f32((_e82 >> bitcast<u32>(24u)));
-                let _e374 = global.member_29;
-                if (_e372 <= _e374) {
-                    let _e377 = global_2.member_9;
-                    if (_e377 != 0u) {
-                        let _e381 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e201 = f32((_e74 >> bitcast<u32>(24u)));
+                let _e203 = global.member_29;
+                if (_e201 <= _e203) {
+                    let _e206 = global_2.member_9;
+                    if (_e206 != 0u) {
+                        let _e210 = atomicAdd((&global_1.member[1u]), 1u);
                     }
-                    phi_2761_ = 4294967295u;
+                    phi_2116_ = 4294967295u;
                     break;
                 }
-                let _e384 = (_e73 + (3u * (_e69 + _e67)));
-                let _e387 = global_4.member[_e384];
-                let _e391 = global_4.member[(_e384 + 1u)];
-                let _e395 = global_4.member[(_e384 + 2u)];
-                let _e396 = vec3<u32>(_e387, _e391, _e395);
-                let _e408 = vec3<f32>(_e139.x, _e139.y, _e139.z);
-                let _e409 = (_e151 * 0.0009775171f);
-                let _e413 = ((vec3<f32>((_e396 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
-                let _e419 = ((vec3<f32>(((_e396 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
-                let _e429 = mat3x3<f32>(vec3<f32>(_e413.x, _e419.x, _e419.y), vec3<f32>(0f, _e413.y, _e413.z), vec3<f32>(0f, 0f, _e419.z));
+                let _e213 = (_e65 + (3u * (_e61 + _e59)));
+                let _e216 = global_3.member[_e213];
+                let _e220 = global_3.member[(_e213 + 1u)];
+                let _e224 = global_3.member[(_e213 + 2u)];
+                let _e225 = vec3<u32>(_e216, _e220, _e224);
+                let _e237 = vec3<f32>(_e131.x, _e131.y, _e131.z);
+                let _e239 = global.member_39;
+                let _e248 = ((_e239 * exp2(((f32(((_e74 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))) * 0.0009775171f);
+                let _e252 = ((vec3<f32>((_e225 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e248);
+                let _e258 = ((vec3<f32>(((_e225 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e248);
+                let _e268 = mat3x3<f32>(vec3<f32>(_e252.x, _e258.x, _e258.y), vec3<f32>(0f, _e252.y, _e252.z), vec3<f32>(0f, 0f, _e258.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e439 = global.member_2;
-                        let _e441 = global.member_3;
-                        let _e442 = clamp((_e141.xy / vec2(_e140)), _e439, _e441);
-                        let _e445 = global.member[0u];
-                        let _e451 = (((vec3<f32>(_e131.x, _e131.y, _e131.z) - (_e408 * _e442.x)) * (_e445 / _e140)) * _e429);
-                        let _e454 = global.member[1u];
-                        let _e460 = (((vec3<f32>(_e135.x, _e135.y, _e135.z) - (_e408 * _e442.y)) * (_e454 / _e140)) * _e429);
-                        let _e462 = global.member_51;
-                        let _e464 = (dot(_e451, _e451) + _e462);
-                        let _e467 = (dot(_e460, _e460) + _e462);
-                        let _e469 = cross(_e451, _e460);
-                        let _e470 = dot(_e469, _e469);
-                        let _e474 = (_e470 + (_e462 * ((_e464 + _e467) - _e462)));
-                        let _e475 = (_e474 > 0f);
-                        phi_2228_ = _e475;
-                        if _e475 {
-                            phi_2228_ = (_e464 <= 1000000000000000000f);
+                        let _e278 = global.member_2;
+                        let _e280 = global.member_3;
+                        let _e281 = clamp((_e133.xy / vec2(_e132)), _e278, _e280);
+                        let _e284 = global.member[0u];
+                        let _e290 = (((vec3<f32>(_e123.x, _e123.y, _e123.z) - (_e237 * _e281.x)) * (_e284 / _e132)) * _e268);
+                        let _e293 = global.member[1u];
+                        let _e299 = (((vec3<f32>(_e127.x, _e127.y, _e127.z) - (_e237 * _e281.y)) * (_e293 / _e132)) * _e268);
+                        let _e301 = global.member_47;
+                        let _e303 = (dot(_e290, _e290) + _e301);
+                        let _e306 = (dot(_e299, _e299) + _e301);
+                        let _e308 = cross(_e290, _e299);
+                        let _e309 = dot(_e308, _e308);
+                        let _e313 = (_e309 + (_e301 * ((_e303 + _e306) - _e301)));
+                        let _e314 = (_e313 > 0f);
+                        phi_1626_ = _e314;
+                        if _e314 {
+                            phi_1626_ = (_e303 <= 1000000000000000000f);
                         }
-                        let _e478 = phi_2228_;
-                        phi_2234_ = _e478;
-                        if _e478 {
-                            phi_2234_ = (_e467 <= 1000000000000000000f);
+                        let _e317 = phi_1626_;
+                        phi_1632_ = _e317;
+                        if _e317 {
+                            phi_1632_ = (_e306 <= 1000000000000000000f);
                         }
-                        let _e481 = phi_2234_;
-                        if !(_e481) {
-                            let _e484 = global_2.member_9;
-                            if (_e484 != 0u) {
-                                let _e488 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e320 = phi_1632_;
+                        if !(_e320) {
+                            let _e323 = global_2.member_9;
+                            if (_e323 != 0u) {
+                                let _e327 = atomicAdd((&global_1.member[2u]), 1u);
                             }
-                            phi_2760_ = 4294967295u;
+                            phi_2115_ = 4294967295u;
                             break;
                         }
-                        phi_2746_ = (1f - (_e372 * 0.003921569f));
-                        phi_2745_ = 0u;
+                        phi_2101_ = (1f - (_e201 * 0.003921569f));
+                        phi_2100_ = 0u;
                         loop {
-                            let _e492 = phi_2746_;
-                            let _e494 = phi_2745_;
-                            let _e496 = global.member_47;
-                            local_1 = _e492;
-                            if (_e494 < _e496) {
+                            let _e331 = phi_2101_;
+                            let _e333 = phi_2100_;
+                            let _e335 = global.member_43;
+                            local = _e331;
+                            if (_e333 < _e335) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_2746_ = (_e492 * _e492);
-                                phi_2745_ = (_e494 + bitcast<u32>(1i));
+                                phi_2101_ = (_e331 * _e331);
+                                phi_2100_ = (_e333 + bitcast<u32>(1i));
                             }
                         }
-                        let _e502 = local_1;
-                        let _e506 = u32(round((255f * (1f - _e502))));
-                        let _e508 = global.member_52;
-                        phi_2754_ = _e506;
-                        if (_e508 > 0f) {
-                            let _e518 = u32(round((f32(_e506) * ((1f - _e508) + (_e508 * sqrt((_e470 / _e474)))))));
-                            if (f32(_e518) <= _e374) {
-                                let _e522 = global_2.member_9;
-                                if (_e522 != 0u) {
-                                    let _e526 = atomicAdd((&global_1.member[2u]), 1u);
+                        let _e341 = local;
+                        let _e345 = u32(round((255f * (1f - _e341))));
+                        let _e347 = global.member_48;
+                        phi_2109_ = _e345;
+                        if (_e347 > 0f) {
+                            let _e357 = u32(round((f32(_e345) * ((1f - _e347) + (_e347 * sqrt((_e309 / _e313)))))));
+                            if (f32(_e357) <= _e203) {
+                                let _e361 = global_2.member_9;
+                                if (_e361 != 0u) {
+                                    let _e365 = atomicAdd((&global_1.member[1u]), 1u);
                                 }
-                                phi_2760_ = 4294967295u;
+                                phi_2115_ = 4294967295u;
                                 break;
                             }
-                            phi_2754_ = _e518;
+                            phi_2109_ = _e357;
                         }
-                        let _e528 = phi_2754_;
-                        let _e530 = global.member_49;
-                        let _e531 = (vec3<f32>(_e464, dot(_e451, _e460), _e467) * _e530);
-                        let _e544 = global.member_53;
-                        let _e545 = ((sqrt(_e531.xz) * sqrt((2f * log(max((f32(_e528) / _e374), 1f))))) * _e544);
-                        let _e548 = global.member_54;
-                        let _e551 = all(((_e368 + _e545) > _e548.xy));
-                        phi_2312_ = _e551;
-                        if _e551 {
-                            phi_2312_ = all(((_e368 - _e545) < _e548.zw));
+                        let _e367 = phi_2109_;
+                        let _e369 = global.member_45;
+                        let _e370 = (vec3<f32>(_e303, dot(_e290, _e299), _e306) * _e369);
+                        let _e383 = global.member_49;
+                        let _e384 = ((sqrt(_e370.xz) * sqrt((2f * log(max((f32(_e367) / _e203), 1f))))) * _e383);
+                        let _e387 = global.member_50;
+                        let _e390 = all(((_e197 + _e384) > _e387.xy));
+                        phi_1710_ = _e390;
+                        if _e390 {
+                            phi_1710_ = all(((_e197 - _e384) < _e387.zw));
                         }
-                        let _e557 = phi_2312_;
-                        if !(_e557) {
-                            let _e560 = global_2.member_9;
-                            if (_e560 != 0u) {
-                                let _e564 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e396 = phi_1710_;
+                        if !(_e396) {
+                            let _e399 = global_2.member_9;
+                            if (_e399 != 0u) {
+                                let _e403 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2760_ = 4294967295u;
+                            phi_2115_ = 4294967295u;
                             break;
                         }
-                        let _e569 = (0.5f * (_e531.x - _e531.z));
-                        let _e574 = sqrt(((_e569 * _e569) + (_e531.y * _e531.y)));
-                        let _e577 = ((0.5f * (_e531.x + _e531.z)) + _e574);
-                        if (_e569 >= 0f) {
-                            phi_2758_ = vec2<f32>((_e569 + _e574), _e531.y);
+                        let _e408 = (0.5f * (_e370.x - _e370.z));
+                        let _e413 = sqrt(((_e408 * _e408) + (_e370.y * _e370.y)));
+                        let _e416 = ((0.5f * (_e370.x + _e370.z)) + _e413);
+                        if (_e408 >= 0f) {
+                            phi_2113_ = vec2<f32>((_e408 + _e413), _e370.y);
                         } else {
-                            phi_2758_ = vec2<f32>(_e531.y, (_e574 - _e569));
+                            phi_2113_ = vec2<f32>(_e370.y, (_e413 - _e408));
                         }
-                        let _e584 = phi_2758_;
-                        if (_e574 > (0.00000001f * _e577)) {
-                            phi_2759_ = normalize(_e584);
+                        let _e423 = phi_2113_;
+                        if (_e413 > (0.00000001f * _e416)) {
+                            phi_2114_ = normalize(_e423);
                         } else {
-                            phi_2759_ = vec2<f32>(1f, 0f);
+                            phi_2114_ = vec2<f32>(1f, 0f);
                         }
-                        let _e589 = phi_2759_;
-                        let _e596 = global.member_5;
-                        let _e600 = global.member_10;
-                        let _e604 = vec2<u32>(clamp(round(((_e368 + vec2(_e596)) * _e600)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e607 = vec3<u32>(round((clamp((vec3<f32>((_e396 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e635 = global.member_45;
-                        let _e637 = (4u * (_e635 + _e67));
-                        global_4.member[_e637] = ((_e604.x | (_e607.x << bitcast<u32>(20u))) | (_e607.z << bitcast<u32>(30u)));
-                        global_4.member[(_e637 + 1u)] = (_e604.y | (_e607.y << bitcast<u32>(20u)));
-                        global_4.member[(_e637 + 2u)] = pack2x16float((_e589 * min(sqrt(_e577), 65504f)));
-                        global_4.member[(_e637 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e474 * (_e530 * _e530)) / _e577)), 65504f), 0f)) | (_e528 << bitcast<u32>(16u))) | ((_e607.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e650 = global.member_9;
-                        phi_2760_ = min(u32((_e366 * f32(_e650))), _e650);
+                        let _e428 = phi_2114_;
+                        let _e435 = global.member_5;
+                        let _e439 = global.member_10;
+                        let _e443 = vec2<u32>(clamp(round(((_e197 + vec2(_e435)) * _e439)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e446 = vec3<u32>(round((clamp((vec3<f32>((_e225 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e474 = global.member_41;
+                        let _e476 = (4u * (_e474 + _e59));
+                        global_3.member[_e476] = ((_e443.x | (_e446.x << bitcast<u32>(20u))) | (_e446.z << bitcast<u32>(30u)));
+                        global_3.member[(_e476 + 1u)] = (_e443.y | (_e446.y << bitcast<u32>(20u)));
+                        global_3.member[(_e476 + 2u)] = pack2x16float((_e428 * min(sqrt(_e416), 65504f)));
+                        global_3.member[(_e476 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e313 * (_e369 * _e369)) / _e416)), 65504f), 0f)) | (_e367 << bitcast<u32>(16u))) | ((_e446.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e489 = global.member_9;
+                        phi_2115_ = min(u32((_e195 * f32(_e489))), _e489);
                         break;
                     }
                 }
-                let _e656 = phi_2760_;
-                phi_2761_ = _e656;
+                let _e495 = phi_2115_;
+                phi_2116_ = _e495;
                 break;
             }
         }
-        let _e658 = phi_2761_;
-        phi_2762_ = _e658;
+        let _e497 = phi_2116_;
+        phi_2117_ = _e497;
     } else {
-        phi_2762_ = 4294967295u;
+        phi_2117_ = 4294967295u;
     }
-    let _e660 = phi_2762_;
+    let _e499 = phi_2117_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e663 = bitcast<u32>(param[0u]);
-            let _e665 = global.member_45;
-            let _e666 = (_e665 + _e67);
-            if (_e660 != 4294967295u) {
-                let _e669 = global.member_41;
-                let _e673 = global.member_40;
-                let _e679 = atomicAdd((&global_1.member[((_e673 + ((_e666 / _e669) * 256u)) + (_e660 & 255u))]), 1u);
+            let _e502 = bitcast<u32>(param[0u]);
+            let _e504 = global.member_41;
+            let _e505 = (_e504 + _e59);
+            if (_e499 != 4294967295u) {
+                let _e508 = global.member_37;
+                let _e512 = global.member_36;
+                let _e518 = atomicAdd((&global_1.member[((_e512 + ((_e505 / _e508) * 256u)) + (_e499 & 255u))]), 1u);
             }
-            let _e681 = global.member_39;
-            if (_e681 == 0u) {
-                if (_e67 < (_e69 + (_e69 & 1u))) {
-                    let _e687 = global.member_28;
-                    global_4.member[(_e687 + _e666)] = _e660;
+            let _e520 = global.member_35;
+            if (_e520 == 0u) {
+                if (_e59 < (_e61 + (_e61 & 1u))) {
+                    let _e526 = global.member_28;
+                    global_3.member[(_e526 + _e505)] = _e499;
                 }
                 break;
             }
-            global_5[_e663] = _e660;
+            global_4[_e502] = _e499;
             workgroupBarrier();
-            let _e693 = ((_e663 & 1u) == 0u);
-            if select(_e693, _e70, _e693) {
-                let _e696 = global.member_28;
-                let _e703 = global_5[(_e663 + 1u)];
-                global_4.member[(_e696 + (_e666 >> bitcast<u32>(1u)))] = ((_e660 & 65535u) | (_e703 << bitcast<u32>(16u)));
+            let _e532 = ((_e502 & 1u) == 0u);
+            if select(_e532, _e62, _e532) {
+                let _e535 = global.member_28;
+                let _e542 = global_4[(_e502 + 1u)];
+                global_3.member[(_e535 + (_e505 >> bitcast<u32>(1u)))] = ((_e499 & 65535u) | (_e542 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -38,37 +38,33 @@ struct type_13 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_9, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_9, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -112,11 +108,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     switch bitcast<i32>(0u) {
         default: {
             let _e28 = bitcast<u32>(param[0u]);
-            let _e30 = global.member_48;
+            let _e30 = global.member_44;
             if (_e28 >= _e30) {
                 break;
             }
-            let _e33 = global.member_47;
+            let _e33 = global.member_43;
             let _e35 = (_e28 << bitcast<u32>(_e33));
             let _e36 = (2u * _e35);
             let _e40 = global_2.member[_e36];
@@ -152,11 +148,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
                     let _e83 = local[_e80];
                     let _e84 = (3u * _e83);
                     let _e86 = local_1[_e80];
-                    let _e89 = global.member_62[_e84];
+                    let _e89 = global.member_58[_e84];
                     let _e92 = local_1[_e80];
-                    let _e96 = global.member_62[(_e84 + 1u)];
+                    let _e96 = global.member_58[(_e84 + 1u)];
                     let _e99 = local_1[_e80];
-                    let _e103 = global.member_62[(_e84 + 2u)];
+                    let _e103 = global.member_58[(_e84 + 2u)];
                     phi_950_ = (_e74 + (_e103 * _e99));
                     phi_949_ = (_e76 + (_e96 * _e92));
                     phi_948_ = (_e78 + (_e89 * _e86));
@@ -193,7 +189,7 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
             let _e201 = unpack2x16float(_e199.x);
             let _e203 = unpack2x16float(_e199.y);
             let _e220 = clamp(((((vec4<f32>(_e173.x, _e173.y, _e175.x, _e175.y).xyz * 1f) + (vec3<f32>(_e175.y, _e188.x, _e188.y) * _e165.x)) + (vec3<f32>(_e190.x, _e190.y, _e201.x) * _e165.y)) + (vec4<f32>(_e201.x, _e201.y, _e203.x, _e203.y).yzw * _e165.z)), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e222 = global.member_38;
+            let _e222 = global.member_34;
             global_2.member[(_e222 + _e35)] = vec2<u32>(pack2x16float(_e220.xy), pack2x16float(vec2<f32>(_e220.z, 0f)));
             break;
         }

@@ -38,37 +38,33 @@ struct type_13 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_9, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_9, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -118,11 +114,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     switch bitcast<i32>(0u) {
         default: {
             let _e35 = bitcast<u32>(param[0u]);
-            let _e37 = global.member_48;
+            let _e37 = global.member_44;
             if (_e35 >= _e37) {
                 break;
             }
-            let _e40 = global.member_47;
+            let _e40 = global.member_43;
             let _e42 = (_e35 << bitcast<u32>(_e40));
             let _e43 = (2u * _e42);
             let _e47 = global_3.member[_e43];
@@ -158,11 +154,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
                     let _e90 = local[_e87];
                     let _e91 = (3u * _e90);
                     let _e93 = local_1[_e87];
-                    let _e96 = global.member_62[_e91];
+                    let _e96 = global.member_58[_e91];
                     let _e99 = local_1[_e87];
-                    let _e103 = global.member_62[(_e91 + 1u)];
+                    let _e103 = global.member_58[(_e91 + 1u)];
                     let _e106 = local_1[_e87];
-                    let _e110 = global.member_62[(_e91 + 2u)];
+                    let _e110 = global.member_58[(_e91 + 2u)];
                     phi_1198_ = (_e81 + (_e110 * _e106));
                     phi_1197_ = (_e83 + (_e103 * _e99));
                     phi_1196_ = (_e85 + (_e96 * _e93));
@@ -214,7 +210,7 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
             let _e295 = global_2.member[_e42];
             let _e297 = unpack2x16float(_e295.x);
             let _e307 = clamp(((((((vec4<f32>(_e183.x, _e183.y, _e185.x, _e185.y).xyz * 1f) + (vec3<f32>(_e185.y, _e198.x, _e198.y) * _e175.x)) + (vec3<f32>(_e200.x, _e200.y, _e211.x) * _e175.y)) + (vec4<f32>(_e211.x, _e211.y, _e213.x, _e213.y).yzw * _e175.z)) + ((((vec4<f32>(_e246.x, _e246.y, _e248.x, _e248.y).xyz * ((1.0925485f * _e165.x) * _e165.y)) + (vec3<f32>(_e248.y, _e259.x, _e259.y) * ((-1.0925485f * _e165.y) * _e165.z))) + (vec3<f32>(_e261.x, _e261.y, _e271.x) * (0.31539157f * (((2f * (_e165.z * _e165.z)) - _e169) - _e170)))) + (vec4<f32>(_e271.x, _e271.y, _e273.x, _e273.y).yzw * ((-1.0925485f * _e165.x) * _e165.z)))) + (vec4<f32>(_e297.x, _e297.y, unpack2x16float(_e295.y).x, f32()).xyz * (0.54627424f * (_e169 - _e170)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e309 = global.member_38;
+            let _e309 = global.member_34;
             global_3.member[(_e309 + _e42)] = vec2<u32>(pack2x16float(_e307.xy), pack2x16float(vec2<f32>(_e307.z, 0f)));
             break;
         }

@@ -38,37 +38,33 @@ struct type_13 {
     member_29: f32,
     member_30: f32,
     member_31: u32,
-    member_32: vec2<f32>,
-    member_33: vec2<f32>,
-    member_34: f32,
+    member_32: f32,
+    member_33: f32,
+    member_34: u32,
     member_35: u32,
-    member_36: f32,
-    member_37: f32,
+    member_36: u32,
+    member_37: u32,
     member_38: u32,
-    member_39: u32,
+    member_39: f32,
     member_40: u32,
     member_41: u32,
-    member_42: u32,
-    member_43: f32,
+    member_42: f32,
+    member_43: u32,
     member_44: u32,
-    member_45: u32,
-    member_46: f32,
-    member_47: u32,
-    member_48: u32,
+    member_45: f32,
+    member_46: u32,
+    member_47: f32,
+    member_48: f32,
     member_49: f32,
-    member_50: u32,
-    member_51: f32,
-    member_52: f32,
-    member_53: f32,
-    member_54: vec4<f32>,
-    member_55: vec4<f32>,
-    member_56: vec4<f32>,
-    member_57: array<vec4<f32>, 3>,
-    member_58: array<vec4<u32>, 8>,
-    member_59: array<vec4<u32>, 8>,
-    member_60: array<type_9, 8>,
-    member_61: array<vec4<f32>, 128>,
-    member_62: array<vec4<f32>, 768>,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_9, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -118,11 +114,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     switch bitcast<i32>(0u) {
         default: {
             let _e41 = bitcast<u32>(param[0u]);
-            let _e43 = global.member_48;
+            let _e43 = global.member_44;
             if (_e41 >= _e43) {
                 break;
             }
-            let _e46 = global.member_47;
+            let _e46 = global.member_43;
             let _e48 = (_e41 << bitcast<u32>(_e46));
             let _e49 = (2u * _e48);
             let _e53 = global_3.member[_e49];
@@ -158,11 +154,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
                     let _e96 = local[_e93];
                     let _e97 = (3u * _e96);
                     let _e99 = local_1[_e93];
-                    let _e102 = global.member_62[_e97];
+                    let _e102 = global.member_58[_e97];
                     let _e105 = local_1[_e93];
-                    let _e109 = global.member_62[(_e97 + 1u)];
+                    let _e109 = global.member_58[(_e97 + 1u)];
                     let _e112 = local_1[_e93];
-                    let _e116 = global.member_62[(_e97 + 2u)];
+                    let _e116 = global.member_58[(_e97 + 2u)];
                     phi_1328_ = (_e87 + (_e116 * _e112));
                     phi_1327_ = (_e89 + (_e109 * _e105));
                     phi_1326_ = (_e91 + (_e102 * _e99));
@@ -238,7 +234,7 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
             let _e398 = unpack2x16float(_e396.x);
             let _e400 = unpack2x16float(_e396.y);
             let _e418 = clamp((((((((vec4<f32>(_e189.x, _e189.y, _e191.x, _e191.y).xyz * 1f) + (vec3<f32>(_e191.y, _e204.x, _e204.y) * _e181.x)) + (vec3<f32>(_e206.x, _e206.y, _e217.x) * _e181.y)) + (vec4<f32>(_e217.x, _e217.y, _e219.x, _e219.y).yzw * _e181.z)) + ((((vec4<f32>(_e252.x, _e252.y, _e254.x, _e254.y).xyz * ((1.0925485f * _e171.x) * _e171.y)) + (vec3<f32>(_e254.y, _e265.x, _e265.y) * ((-1.0925485f * _e171.y) * _e171.z))) + (vec3<f32>(_e267.x, _e267.y, _e277.x) * (0.31539157f * ((_e240 - _e175) - _e176)))) + (vec4<f32>(_e277.x, _e277.y, _e279.x, _e279.y).yzw * ((-1.0925485f * _e171.x) * _e171.z)))) + ((((vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y).xyz * ((0.37317634f * _e171.z) * (_e240 - (3f * (_e175 + _e176))))) + (vec3<f32>(_e330.y, _e340.x, _e340.y) * ((-0.4570458f * _e171.x) * _e309))) + (vec3<f32>(_e342.x, _e342.y, _e351.x) * ((1.4453057f * _e171.z) * _e297))) + (vec4<f32>(_e351.x, _e351.y, _e353.x, _e353.y).yzw * ((-0.5900436f * _e171.x) * (_e175 - (3f * _e176)))))) + ((((vec4<f32>(_e375.x, _e375.y, _e377.x, _e377.y).xyz * (0.54627424f * _e297)) + (vec3<f32>(_e377.y, _e387.x, _e387.y) * ((-0.5900436f * _e171.y) * ((3f * _e175) - _e176)))) + (vec3<f32>(_e389.x, _e389.y, _e398.x) * (((2.8906114f * _e171.x) * _e171.y) * _e171.z))) + (vec4<f32>(_e398.x, _e398.y, _e400.x, _e400.y).yzw * ((-0.4570458f * _e171.y) * _e309)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e420 = global.member_38;
+            let _e420 = global.member_34;
             global_3.member[(_e420 + _e48)] = vec2<u32>(pack2x16float(_e418.xy), pack2x16float(vec2<f32>(_e418.z, 0f)));
             break;
         }

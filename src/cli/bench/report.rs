@@ -33,9 +33,8 @@ pub fn print_heading(report: &BenchReport) {
         report.size[0], report.size[1], options.raster, options.color, options.key_bits
     );
     println!(
-        "error    cutoff {:.1}/255, margin {:.1} mm, detail {}, low-pass {}",
+        "error    cutoff {:.1}/255, detail {}, low-pass {}",
         255.0 * options.cutoff,
-        1e3 * options.margin,
         options.detail,
         options.filter
     );
@@ -154,7 +153,6 @@ fn print_counters(report: &CaseReport) {
     );
     let mut reasons = vec![
         ("outside", "outside"),
-        ("hidden", "hidden"),
         ("faint", "faint"),
         ("degenerate", "degenerate"),
     ];

@@ -49,7 +49,7 @@ pub fn optional(probe: &Probe) -> Vec<Optional> {
         part(
             "triangles",
             probe.draws_triangles(),
-            "quads, windows, occluders",
+            "quads, windows, small avatars as they should look",
             &format!(
                 "its driver crashes when it draws them with vectors of 512 bits: {NO_TRIANGLES}"
             ),

@@ -6,7 +6,7 @@ use super::{
     room::Room,
     state::{AvatarInstance, Layer},
 };
-use crate::layout::{FrameBlock, POSITION_BITS, PYRAMID_WORDS, TILING, bin_side};
+use crate::layout::{FrameBlock, POSITION_BITS, TILING, bin_side};
 use crate::scene::{Camera, camera::guard, detail};
 use bytemuck::{bytes_of, bytes_of_mut};
 use glam::DAffine3;
@@ -30,14 +30,9 @@ impl PoseLayout {
         }
     }
 
-    /// Where the depth pyramid starts: behind all avatars.
-    pub fn pyramid(&self) -> u32 {
-        self.avatars * self.vectors
-    }
-
-    /// Where a vector of zeros is, behind the pyramid: the displacement of nodes that nothing moves.
+    /// Where a vector of zeros is, behind all avatars: the displacement of nodes that nothing moves.
     pub fn zeros(&self) -> u32 {
-        self.pyramid() + PYRAMID_WORDS.div_ceil(4)
+        self.avatars * self.vectors
     }
 
     /// Vectors of the buffer.
@@ -59,7 +54,6 @@ pub fn write_shared(
     options: &RendererOptions,
     layer: &Layer,
     camera: &Camera,
-    pose: PoseLayout,
 ) {
     let [near, far] = layer.depth_range;
     let guard = guard(layer.size);
@@ -80,15 +74,6 @@ pub fn write_shared(
     };
     block.tile_side = TILING.tile(layer.size) as f32;
     block.bin_side = bin_side(layer.size);
-    block.occluder_margin = options.margin as f32;
-    block.pyramid_start = 0;
-    if let Some(view) = layer.occluder_view
-        && options.skip.contains(Skip::HIDDEN)
-    {
-        // The depth pyramid follows all avatars' features and displacements; 4 words a vector.
-        block.pyramid_start = 4 * pose.pyramid();
-        view.write_to(block);
-    }
     // Clip space of the quads: a splat's coordinates are in steps of 1 / `steps` px.
     let steps = fixed_scale(guard);
     block.fixed_scale = steps as f32;

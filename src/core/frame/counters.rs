@@ -68,8 +68,6 @@ pub struct Counters {
 pub struct CullReasons {
     /// Nearer than the near plane, or outside the image.
     pub outside: u64,
-    /// Behind the occluder.
-    pub hidden: u64,
     /// Nowhere as opaque as the cutoff.
     pub faint: u64,
     /// Not finite, or beyond the range of f32.
@@ -77,12 +75,12 @@ pub struct CullReasons {
 }
 
 impl Counters {
-    /// These counts of a frame, with what the device counted. `reasons`: outside, hidden, faint,
+    /// These counts of a frame, with what the device counted. `reasons`: outside, faint,
     /// degenerate.
     pub fn with_device_counts(
         self,
         control: &Control,
-        reasons: Option<[u32; 4]>,
+        reasons: Option<[u32; 3]>,
         fragments: Option<u64>,
         samples: Option<u64>,
     ) -> Self {
@@ -91,10 +89,9 @@ impl Counters {
             culled: self.gaussians.saturating_sub(drawn),
             drawn,
             reasons: reasons.map(|counts| {
-                let [outside, hidden, faint, degenerate] = counts.map(u64::from);
+                let [outside, faint, degenerate] = counts.map(u64::from);
                 CullReasons {
                     outside,
-                    hidden,
                     faint,
                     degenerate,
                 }
@@ -117,7 +114,6 @@ impl Counters {
             ("most_samples", Some(self.most_samples)),
             ("coarsest_level", Some(self.coarsest_level)),
             ("outside", self.reasons.map(|reasons| reasons.outside)),
-            ("hidden", self.reasons.map(|reasons| reasons.hidden)),
             ("faint", self.reasons.map(|reasons| reasons.faint)),
             ("degenerate", self.reasons.map(|reasons| reasons.degenerate)),
             ("drawn", Some(self.drawn)),
@@ -163,7 +159,7 @@ mod tests {
             }
             .named()
             .count(),
-            21
+            20
         );
         assert_eq!(Counters::default().named().count(), 15);
         assert_eq!(

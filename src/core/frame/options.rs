@@ -38,8 +38,6 @@ pub struct RendererOptions {
     pub skip: Skip,
     /// Contributions below this opacity are not drawn, at least 1/255 (docs/model.md, step 10).
     pub cutoff: f64,
-    /// How far behind the occluder a Gaussian must be to be hidden, metres.
-    pub margin: f64,
     /// How many of an avatar's Gaussians are drawn.
     pub detail: Detail,
     /// How many times its size an avatar is drawn, before it is averaged.
@@ -77,7 +75,6 @@ impl RendererOptions {
             workgroup: None,
             skip: Skip::all(),
             cutoff: ALPHA_MIN,
-            margin: 0.005,
             detail: Detail::FULL,
             supersampling: Supersampling::BySize,
             filter: None,

@@ -1,7 +1,6 @@
 //! The passes of a frame as data: what each does, and what it reads and writes on the device.
 
 use super::Skinning;
-use crate::scene::OccluderView;
 use bitflags::bitflags;
 
 /// A stage of a frame. Labels of GPU profilers, timestamps, reports and the overlay use its name.
@@ -11,8 +10,6 @@ pub enum Stage {
     Mlp,
     /// View-dependent colours from spherical harmonics, for avatars that have them.
     Sh,
-    /// The occluder's depth, and the pyramid made from it.
-    Occluder,
     /// Correctives, skinning, projection, culling and the depth key of each Gaussian.
     Project,
     /// The drawing order: far to near, stable.
@@ -31,10 +28,9 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage, in the order that a frame runs them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 9] = [
         Self::Mlp,
         Self::Sh,
-        Self::Occluder,
         Self::Project,
         Self::Sort,
         Self::Binning,
@@ -49,7 +45,6 @@ impl Stage {
         match self {
             Self::Mlp => "mlp",
             Self::Sh => "sh",
-            Self::Occluder => "occluder",
             Self::Project => "project",
             Self::Sort => "sort",
             Self::Binning => "binning",
@@ -70,8 +65,6 @@ pub enum Resource {
     Counts,
     /// Features and node displacements of every avatar.
     Pose,
-    /// The occluder's depth pyramid.
-    Pyramid,
     /// Colours of one avatar, from its spherical harmonics.
     Colors,
     /// Skinned Gaussians that only a camera's change reuses.
@@ -94,11 +87,10 @@ pub enum Resource {
 
 impl Resource {
     /// Every resource.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 12] = [
         Self::Control,
         Self::Counts,
         Self::Pose,
-        Self::Pyramid,
         Self::Colors,
         Self::PoseCache,
         Self::Splats,
@@ -207,13 +199,6 @@ pub enum Pass {
         /// How many Gaussians its level of detail draws.
         gaussians: u32,
     },
-    /// Draws the occluders of all avatars of a layer, and makes the pyramid.
-    Occluder {
-        /// The part of the image that the pyramid covers.
-        view: OccluderView,
-        /// The layer's image.
-        target: Target,
-    },
     /// Projects an avatar's first `gaussians` Gaussians.
     Project {
         /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
@@ -275,7 +260,6 @@ impl Pass {
             }
             Self::Mlp { .. } => Some(Stage::Mlp),
             Self::Sh { .. } => Some(Stage::Sh),
-            Self::Occluder { .. } => Some(Stage::Occluder),
             Self::Project { .. } => Some(Stage::Project),
             Self::Sort => Some(Stage::Sort),
             Self::ClearTileLists | Self::Binning { .. } | Self::Bin { .. } => Some(Stage::Binning),
@@ -309,12 +293,6 @@ impl Pass {
             ],
             Self::Mlp { .. } => vec![write(Pose, Stages::COMPUTE)],
             Self::Sh { .. } => vec![write(Colors, Stages::COMPUTE)],
-            // The pyramid lies behind the nodes, in the same buffer.
-            Self::Occluder { .. } => vec![
-                read(Pose, Stages::VERTEX),
-                write(Pose, Stages::COMPUTE),
-                write(Pyramid, Stages::COMPUTE),
-            ],
             Self::Project { skinning, .. } => {
                 let cache = match skinning {
                     Skinning::Compute => None,
@@ -323,7 +301,6 @@ impl Pass {
                 };
                 let mut uses = vec![
                     read(Pose, Stages::COMPUTE),
-                    read(Pyramid, Stages::COMPUTE),
                     read(Colors, Stages::COMPUTE),
                     write(Counts, Stages::COMPUTE),
                     write(Splats, Stages::COMPUTE),

@@ -28,7 +28,6 @@ struct Values {
     key_bits: Option<KeyBits>,
     skip: Skip,
     cutoff: f64,
-    margin: f64,
     detail: Detail,
     supersampling: Supersampling,
 }
@@ -44,7 +43,6 @@ impl Preset {
                 key_bits: Some(KeyBits::Sixteen),
                 skip: Skip::all(),
                 cutoff: 4.0 * ALPHA_MIN,
-                margin: 0.003,
                 detail: Detail::AUTO,
                 supersampling: Supersampling::BySize,
             },
@@ -53,7 +51,6 @@ impl Preset {
                 key_bits: Some(KeyBits::Sixteen),
                 skip: Skip::all(),
                 cutoff: 2.0 * ALPHA_MIN,
-                margin: 0.004,
                 detail: Detail::FULL,
                 supersampling: Supersampling::BySize,
             },
@@ -62,18 +59,16 @@ impl Preset {
                 key_bits: None,
                 skip: Skip::all(),
                 cutoff: ALPHA_MIN,
-                margin: 0.005,
                 detail: Detail::FULL,
                 supersampling: Supersampling::BySize,
             },
-            // Without the occluder and the saturation depth, whose culling shows a little; and what
-            // is small as the model says, not as the area of each pixel shows it.
+            // Without the saturation depth, whose culling shows a little; and what is small as the
+            // model says, not as the area of each pixel shows it.
             Self::Exact => Values {
                 color: Some(ColorFormat::Rgba16F),
                 key_bits: Some(KeyBits::ThirtyTwo),
-                skip: Skip::all().difference(Skip::HIDDEN.union(Skip::DEPTH)),
+                skip: Skip::all().difference(Skip::DEPTH),
                 cutoff: ALPHA_MIN,
-                margin: 0.005,
                 detail: Detail::FULL,
                 supersampling: Supersampling::OFF,
             },
@@ -87,7 +82,6 @@ impl Preset {
             key_bits,
             skip,
             cutoff,
-            margin,
             detail,
             supersampling,
         } = self.values();
@@ -96,7 +90,6 @@ impl Preset {
             key_bits,
             skip,
             cutoff,
-            margin,
             detail,
             supersampling,
             // All of a crowd, whatever memory that takes.
@@ -146,10 +139,7 @@ mod tests {
     fn each_preset_skips_no_more_than_the_one_before() {
         let all = Preset::ALL.map(|preset| preset.apply(RendererOptions::new([1, 1])));
         for pair in all.windows(2) {
-            assert!(
-                pair[0].cutoff >= pair[1].cutoff && pair[0].margin <= pair[1].margin,
-                "{pair:?}"
-            );
+            assert!(pair[0].cutoff >= pair[1].cutoff, "{pair:?}");
             assert!(
                 pair[0].detail.auto >= pair[1].detail.auto
                     && pair[0].detail.finest >= pair[1].detail.finest,

@@ -97,8 +97,6 @@ pub enum Step {
 pub struct Equipment {
     /// The avatar's colours change with the view.
     pub sh: bool,
-    /// There is an occluder mesh to draw.
-    pub occluder: bool,
     /// Avatars may be drawn larger than they are shown.
     pub supersampling: bool,
     /// How splats are rasterized.
@@ -115,7 +113,6 @@ impl Equipment {
         match stage {
             Stage::Mlp | Stage::Project | Stage::Sort | Stage::Raster => true,
             Stage::Sh => self.sh,
-            Stage::Occluder => self.occluder && self.skip.contains(Skip::HIDDEN),
             Stage::Binning => self.lists().is_some(),
             Stage::Saturation => self.tests_depth(),
             Stage::Resolve => self.supersampling,
@@ -355,7 +352,7 @@ impl Recorder {
 
     /// Draws the avatars of a layer, at least one.
     fn layer(&mut self, layer: &Layer, target: Target, equipment: &Equipment) {
-        self.geometry(layer, target, equipment);
+        self.geometry(layer, equipment);
         self.stage(Stage::Sort, vec![Pass::Sort]);
         let tested = target == Target::Image
             && equipment.tests_depth()
@@ -363,8 +360,8 @@ impl Recorder {
         self.raster(equipment, tested, target);
     }
 
-    /// Colours, occluders and projection of all avatars of a layer.
-    fn geometry(&mut self, layer: &Layer, target: Target, equipment: &Equipment) {
+    /// Colours and projection of all avatars of a layer.
+    fn geometry(&mut self, layer: &Layer, equipment: &Equipment) {
         let sh = |instance: &super::AvatarInstance| Pass::Sh {
             instance: instance.index,
             model: instance.model,
@@ -375,11 +372,6 @@ impl Recorder {
                 Stage::Sh,
                 layer.instances.first().map(sh).into_iter().collect(),
             );
-        }
-        if let Some(view) = layer.occluder_view
-            && equipment.has(Stage::Occluder)
-        {
-            self.stage(Stage::Occluder, vec![Pass::Occluder { view, target }]);
         }
         let mut passes = Vec::new();
         for (position, instance) in layer.instances.iter().enumerate() {
@@ -531,7 +523,6 @@ mod tests {
                 dependencies: &self.dependencies,
                 options: &self.options,
                 room: Room::new(&self.options, &self.bounds).expect("room for all"),
-                has_occluder: equipment.occluder,
                 always_submit: true,
             });
             let schedule = Schedule::new(&plan, equipment, self.device_state);
@@ -543,7 +534,6 @@ mod tests {
     fn equipment(method: RasterMethod, sh: bool) -> Equipment {
         Equipment {
             sh,
-            occluder: true,
             supersampling: false,
             method,
             kernel: TileKernel::PerThread,
@@ -615,9 +605,7 @@ mod tests {
         let first = planner.frame(&poses, 0.0, &tiles);
         assert_eq!(
             names(&first),
-            [
-                "mlp", "sh", "occluder", "project", "sort", "binning", "raster"
-            ]
+            ["mlp", "sh", "project", "sort", "binning", "raster"]
         );
         assert_eq!(first.skipped().count(), 0);
         assert_ordered(&first);
@@ -632,13 +620,7 @@ mod tests {
         let second = planner.frame(&poses, 0.0, &quads);
         assert_eq!(second.passes().collect::<Vec<_>>(), [&Pass::ReadCounts]);
         let skipped: Vec<_> = second.skipped().collect();
-        let stages = [
-            Stage::Mlp,
-            Stage::Occluder,
-            Stage::Project,
-            Stage::Sort,
-            Stage::Raster,
-        ];
+        let stages = [Stage::Mlp, Stage::Project, Stage::Sort, Stage::Raster];
         assert_eq!(skipped, stages.map(|stage| (stage, SkipReason::Unchanged)));
     }
 
@@ -646,13 +628,9 @@ mod tests {
     #[test]
     fn every_stage_runs_or_is_skipped() {
         for equipment in every_raster() {
-            for [sh, occluder] in [[false, false], [false, true], [true, false], [true, true]] {
+            for sh in [false, true] {
                 let mut planner = Planner::new(RendererOptions::new(SIZE));
-                let equipment = Equipment {
-                    occluder,
-                    sh,
-                    ..equipment
-                };
+                let equipment = Equipment { sh, ..equipment };
                 for aside in [0.0, 0.0, 1000.0, 1000.0, 0.0] {
                     let poses = [planner.posed(0.1, aside)];
                     let frame = planner.frame(&poses, 0.0, &equipment);
@@ -687,7 +665,7 @@ mod tests {
         let tiles = equipment(RasterMethod::Tiles, false);
         let frame = planner.frame(&far, 0.0, &tiles);
         let reasons: Vec<_> = frame.skipped().collect();
-        let stages = [Stage::Mlp, Stage::Occluder, Stage::Project, Stage::Sort];
+        let stages = [Stage::Mlp, Stage::Project, Stage::Sort];
         assert_eq!(
             reasons,
             stages.map(|stage| (stage, SkipReason::NothingInView))
@@ -700,7 +678,7 @@ mod tests {
     fn barriers_order_every_kind_of_frame() {
         for raster in every_raster() {
             for sh in [false, true] {
-                for skip in [Skip::all(), Skip::empty(), Skip::HIDDEN, Skip::DEPTH] {
+                for skip in [Skip::all(), Skip::empty(), Skip::DEPTH] {
                     let mut planner = Planner::new(RendererOptions {
                         instances: 3,
                         skip,
@@ -762,28 +740,6 @@ mod tests {
                 assert_ordered(&frame);
             }
         }
-    }
-
-    /// Networks may not have moved the nodes that the occluder follows.
-    #[test]
-    fn no_occluder_is_drawn_for_a_level() {
-        let quads = every_raster()[0];
-        let mut planner = Planner::new(RendererOptions {
-            instances: 2,
-            ..RendererOptions::new(SIZE)
-        });
-        planner.bounds = AvatarBounds::new(&crate::demo::with_levels());
-        let poses = [planner.posed(0.1, -0.4), planner.posed(0.2, 0.4)];
-        let mut occluders = |poses: &[Posed], gaussians| {
-            planner.options.gaussians = Some(gaussians);
-            let frame = planner.frame(poses, 0.0, &quads);
-            frame.runs(Stage::Occluder)
-        };
-        let all = crate::demo::with_levels().gaussians.len() as u32;
-        // Both whole, one from a level, both from levels.
-        assert_eq!(occluders(&poses, 2 * all), 1);
-        assert_eq!(occluders(&poses, all + all / 4), 1);
-        assert_eq!(occluders(&poses, all), 0);
     }
 
     /// Only an avatar in view is worth it, and only one whose Gaussians are large in the image.

@@ -18,23 +18,21 @@ bitflags::bitflags! {
         /// Contributions under the opacity cutoff: quads are only as large as a Gaussian's opacity
         /// makes visible.
         const FAINT = 1 << 4;
-        /// Gaussians behind the occluder, before they are sorted.
-        const HIDDEN = 1 << 5;
         /// Fragments of quads behind the saturation depth, the depth behind which nothing shows.
-        const DEPTH = 1 << 6;
+        const DEPTH = 1 << 5;
         /// Splats behind saturated pixels; only with tiles, since fixed-function blending can't
         /// stop: quads have `DEPTH`.
-        const SATURATED = 1 << 7;
+        const SATURATED = 1 << 6;
         /// Correctives and skinning when only the camera has moved: their results come from the
         /// pose cache, rounded.
-        const SKINNING = 1 << 8;
+        const SKINNING = 1 << 7;
         /// Parts outside the view: their Gaussians, and their networks until they come into view.
-        const PARTS = 1 << 9;
+        const PARTS = 1 << 8;
         /// Avatars that are all outside the view: all their stages.
-        const AVATARS = 1 << 10;
+        const AVATARS = 1 << 9;
         /// Pixels outside the damage rectangle, the box around what is in view and what was there
         /// before; with WebGPU only with tiles.
-        const DAMAGE = 1 << 11;
+        const DAMAGE = 1 << 10;
     }
 }
 
@@ -94,16 +92,16 @@ mod tests {
 
     #[test]
     fn lists_read_back_as_they_are_written() {
-        for skip in [Skip::all(), Skip::empty(), Skip::POSE | Skip::HIDDEN] {
+        for skip in [Skip::all(), Skip::empty(), Skip::POSE | Skip::DEPTH] {
             assert_eq!(skip.to_string().parse(), Ok(skip));
         }
         assert_eq!("all".parse(), Ok(Skip::all()));
-        assert_eq!("hidden, depth".parse(), Ok(Skip::HIDDEN | Skip::DEPTH));
+        assert_eq!("faint, depth".parse(), Ok(Skip::FAINT | Skip::DEPTH));
         assert_eq!("full,area".parse(), Ok(Skip::SATURATED | Skip::DAMAGE));
         assert!(
             "everything"
                 .parse::<Skip>()
-                .is_err_and(|error| error.contains("hidden,depth,saturated,skinning,parts,avatars"))
+                .is_err_and(|error| error.contains("faint,depth,saturated,skinning,parts,avatars"))
         );
     }
 }

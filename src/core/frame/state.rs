@@ -6,12 +6,11 @@ use super::{
     atlas::{Arrangement, LevelInput, Seen, Slot, arrange},
     changes::View,
     damage::{Damage, regions_around},
-    passes::Target,
     room::{Portion, PosePlaces, Room, padded_count},
 };
 use crate::avatar::LowPass;
 use crate::scene::{
-    AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
+    AvatarBounds, Camera, PartDependencies, PartSet, PixelRect, Posed, Visible,
     supersampling::low_pass,
 };
 
@@ -58,12 +57,6 @@ pub struct AvatarInstance<'a> {
 }
 
 impl AvatarInstance<'_> {
-    /// Whether the occluder, whose mesh follows the avatar's own nodes, is where it is: networks
-    /// may not have moved those of a level.
-    pub fn has_occluder(&self) -> bool {
-        self.model == 0
-    }
-
     /// Where the next avatar's splats and keys start.
     fn end_key(&self) -> u32 {
         self.first_key + padded_count(self.gaussians)
@@ -81,8 +74,6 @@ pub struct Layer<'a> {
     pub drawn: PixelRect,
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
-    /// The view of the occluder pass. None where there is no occluder or nothing in view.
-    pub occluder_view: Option<OccluderView>,
     /// Pixels of the box around an avatar for each Gaussian of it that is drawn: of the avatar in
     /// view that has the fewest. Infinite where that decides nothing.
     pub pixels_a_gaussian: f64,
@@ -134,8 +125,6 @@ pub struct PlanInput<'a, 'pose> {
     pub options: &'a RendererOptions,
     /// The renderer's room.
     pub room: Room,
-    /// Whether the renderer has an occluder mesh to draw.
-    pub has_occluder: bool,
     /// Whether the frame is submitted even if nothing has changed.
     pub always_submit: bool,
 }
@@ -146,8 +135,6 @@ pub struct PlanInput<'a, 'pose> {
 pub struct StageDispatches {
     /// Whether colours come from spherical harmonics.
     pub has_sh: bool,
-    /// Dispatches of the occluder's depth pyramids.
-    pub occluder: u64,
     /// Dispatches of the sorts.
     pub sort: u64,
     /// Dispatches of the rasterizer.
@@ -313,12 +300,7 @@ impl FrameState {
                 }
             }
         }
-        let occluder = |instances: &[AvatarInstance]| {
-            input.has_occluder && instances.iter().any(AvatarInstance::has_occluder)
-        };
         let image = Layer {
-            occluder_view: occluder(&image)
-                .then(|| OccluderView::new(camera.size, screen_rect(&image, bounds))),
             depth_range: depth_range(&image, bounds, camera),
             pixels_a_gaussian: if redraw && skip.contains(Skip::DEPTH) {
                 pixels_a_gaussian(&image, bounds)
@@ -332,9 +314,6 @@ impl FrameState {
         let size = arrangement.size;
         let atlas = (!atlas.is_empty()).then(|| Atlas {
             layer: Layer {
-                // Its depth is too coarse for many avatars.
-                occluder_view: (occluder(&atlas) && atlas.len() == 1)
-                    .then(|| OccluderView::new(size, screen_rect(&atlas, bounds))),
                 depth_range: depth_range(&atlas, bounds, camera),
                 pixels_a_gaussian: f64::INFINITY,
                 instances: atlas,
@@ -512,14 +491,6 @@ impl Atlas<'_> {
 }
 
 impl<'a> FramePlan<'a> {
-    /// The avatars that are drawn into a target; None where the frame has no atlas.
-    pub fn layer(&self, target: Target) -> Option<&Layer<'a>> {
-        match target {
-            Target::Atlas => self.atlas.as_ref().map(|atlas| &atlas.layer),
-            Target::Image => Some(&self.image),
-        }
-    }
-
     /// The layers that have avatars, in the order in which they are drawn.
     pub fn layers(&self) -> impl Iterator<Item = &Layer<'a>> {
         let atlas = self.atlas.as_ref().map(|atlas| &atlas.layer);
@@ -568,20 +539,10 @@ impl<'a> FramePlan<'a> {
         if self.redraw {
             // Project, and sh where colours depend on the view, run once an avatar.
             counters.dispatches += drawn * (1 + u64::from(stages.has_sh));
-            counters.dispatches += stages.occluder + stages.sort + stages.raster;
+            counters.dispatches += stages.sort + stages.raster;
         }
         counters
     }
-}
-
-/// A rectangle around all avatars in view of a layer.
-fn screen_rect(instances: &[AvatarInstance], bounds: &AvatarBounds) -> PixelRect {
-    instances
-        .iter()
-        .map(|instance| bounds.screen(&instance.posed.joints, &instance.camera))
-        .filter(|rect| !rect.is_empty())
-        .reduce(PixelRect::union)
-        .unwrap_or(PixelRect::whole([0, 0]))
 }
 
 /// [`Layer::pixels_a_gaussian`]; infinite where all avatars in view cross the near plane.

@@ -49,13 +49,6 @@ impl RendererOptions {
                 format!("one of {PROJECT_WORKGROUPS:?}"),
             ));
         }
-        if !(self.margin >= 0.0 && self.margin.is_finite()) {
-            return Err(unusable(
-                "the margin behind the occluder",
-                self.margin,
-                "a number from 0 up",
-            ));
-        }
         if let Some(filter) = self.filter
             && !filter.is_valid()
         {

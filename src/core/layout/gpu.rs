@@ -64,27 +64,6 @@ pub const BLOCK_PAIRS: u32 = 4;
 pub const POSE_CACHE_WORDS: u32 = 6;
 /// Vectors of 128 bits, one bit for each part that an avatar may have.
 pub const PART_BITS: usize = limits::PARTS / 128;
-/// Texels along each side of the occluder pass.
-pub const OCCLUDER_SIDE: u32 = 384;
-/// Texels along each side of the pyramid's finest level.
-pub const PYRAMID_SIDE: u32 = OCCLUDER_SIDE / 2;
-/// Levels of the depth pyramid; each halves the one before.
-pub const PYRAMID_LEVELS: u32 = 4;
-/// Words of the pyramid in the pose buffer, two texels each.
-pub const PYRAMID_WORDS: u32 = {
-    let mut words = 0;
-    let mut level = 0;
-    while level < PYRAMID_LEVELS {
-        words += (PYRAMID_SIDE >> level) * (PYRAMID_SIDE >> level) / 2;
-        level += 1;
-    }
-    words
-};
-/// Width of what a workgroup of the occluder stage reduces, texels of the finest level: at least
-/// two texels of the coarsest level, which share a word.
-pub const PYRAMID_WORKGROUP_WIDTH: u32 = 16;
-/// Height of what a workgroup of the occluder stage reduces, texels of the finest level.
-pub const PYRAMID_WORKGROUP_HEIGHT: u32 = 8;
 /// Levels of tiles, each with a sixteenth of the tiles of the one before; the last is one tile, the
 /// whole image.
 pub const TILE_LEVELS: u32 = 4;
@@ -206,15 +185,6 @@ pub struct FrameBlock {
     pub key_start: u32,
     /// Opacity under which nothing is drawn, of 255.
     pub cutoff: f32,
-    /// How far the occluder is pushed back, metres.
-    pub occluder_margin: f32,
-    /// Where in the pose buffer the depth pyramid starts, in words, its finest level first; 0
-    /// without an occluder.
-    pub pyramid_start: u32,
-    /// Upper left corner of the occluder view in the image, px.
-    pub occluder_origin: [f32; 2],
-    /// Texels of the pyramid's finest level in a pixel.
-    pub occluder_scale: [f32; 2],
     /// Quads are sized for at least this opacity, of 255; 0 fits them to each Gaussian.
     pub quad_opacity: f32,
     /// Quads of inputs that the first layer reads outside the head; later ones are zero.
@@ -256,8 +226,6 @@ pub struct FrameBlock {
     pub compensation: f32,
     /// How much of a splat must be within `area`: 1 any of it, −1 all of it.
     pub area_reach: f32,
-    /// Padding.
-    pub unused: [u32; 2],
     /// First and last corner of what this avatar may draw to, px.
     pub area: [f32; 4],
     /// Lower corner of the box that positions in the pose cache are relative to, metres.
@@ -322,16 +290,6 @@ pub struct SettingsBlock {
     pub bin_margin: f32,
     /// Padding.
     pub unused: [u32; 3],
-}
-
-/// A corner of the occluder mesh, packed: two vectors; see `shaders/occluder/depth.vert`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-pub struct OccluderCorner {
-    /// Position, the limit of how far the shell may stretch, joints, weights.
-    pub skinned: [u32; 4],
-    /// Three nodes, the weights of the first two, two corners beside it.
-    pub near: [u32; 4],
 }
 
 /// Counts that the sort writes and the draw reads. The first five words are a

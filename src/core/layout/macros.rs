@@ -8,9 +8,7 @@ use super::{
 };
 use crate::{
     avatar::limits,
-    constants::{
-        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX,
-    },
+    constants::{ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX},
 };
 
 /// Value of a macro.
@@ -55,11 +53,6 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("GAUSSIAN_PAIRS", Uint(GAUSSIAN_PAIRS)),
     ("BLOCK_PAIRS", Uint(BLOCK_PAIRS)),
     ("PART_BITS", Uint(PART_BITS as u32)),
-    ("OCCLUDER_SIDE", Uint(OCCLUDER_SIDE)),
-    ("PYRAMID_SIDE", Uint(PYRAMID_SIDE)),
-    ("PYRAMID_LEVELS", Uint(PYRAMID_LEVELS)),
-    ("PYRAMID_WORKGROUP_WIDTH", Uint(PYRAMID_WORKGROUP_WIDTH)),
-    ("PYRAMID_WORKGROUP_HEIGHT", Uint(PYRAMID_WORKGROUP_HEIGHT)),
     ("TILES_PER_SIDE_VULKAN", Uint(TILING.tiles_per_side)),
     ("TILES_PER_SIDE_WEB", Uint(TILING_WEB.tiles_per_side)),
     ("TILE_COUNT_VULKAN", Uint(TILING.tiles())),
@@ -86,7 +79,6 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("F16_MAX", Float(F16_MAX)),
     ("FEATURE_MAX", Float(FEATURE_MAX)),
     ("LOG_SCALE_MAX", Float(LOG_SCALE_MAX)),
-    ("LONGEST_MARGIN", Float(LONGEST_MARGIN)),
     ("ALPHA_MAX", Float(ALPHA_MAX)),
     ("ROTATION_MIN", Float(ROTATION_MIN)),
     ("VARIANCE_MAX", Float(VARIANCE_MAX)),

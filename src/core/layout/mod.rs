@@ -14,5 +14,5 @@ pub use binning::{TILING, TILING_WEB};
 pub use bins::{BinLayout, BinLists, bin_count, bin_side};
 pub use gpu::*;
 pub use macros::{MACROS, MacroValue};
-pub use packed::{PackedModel, PackedOccluder, PackedSet};
+pub use packed::{PackedModel, PackedSet};
 pub use train::*;

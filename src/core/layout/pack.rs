@@ -2,12 +2,11 @@
 //! [`super::compact`]; all other numbers keep the bits that the file has.
 
 use super::compact::{self, CodedRow, LogScales};
-use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout, OccluderCorner};
+use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout};
 use crate::{
     avatar::{Activation, Avatar, Layer, Rows, limits, matrix},
     constants::LEAKY_SLOPE,
     each,
-    occluder::{Occluder, OccluderVertex, mesh::OPAQUE_DEPTH},
 };
 use bytemuck::Zeroable;
 use half::f16;
@@ -363,63 +362,6 @@ fn mark_rows<const C: usize>(blocks: &mut [[u32; 2]], rows: &Rows<C>, mask: usiz
         block[base / 2][base % 2] = before;
         before += block[mask / 2][mask % 2].count_ones();
     }
-}
-
-/// Packs the corners and triangles of an avatar's occluder mesh; see `shaders/occluder/depth.vert`.
-pub fn occluder(
-    avatar: &Avatar,
-    occluder: &Occluder,
-    node_places: &[u16],
-) -> (Vec<OccluderCorner>, Vec<[u16; 3]>) {
-    let corner = |vertex: &OccluderVertex| {
-        let [x, y, z] = avatar.gaussians.bounds.encode(vertex.position);
-        let neighbors = vertex.neighbor.map(|at| u16::try_from(at).ok());
-        // How far the shell may be pulled apart and still be opaque, squared. A vertex whose
-        // neighbours can't be named is never opaque.
-        let (neighbors, limit) = match neighbors {
-            [Some(a), Some(b)] => {
-                let limit = (vertex.optical_depth / OPAQUE_DEPTH).powi(2);
-                (u32::from(a) | u32::from(b) << 16, f16::from_f64(limit))
-            }
-            _ => (0, f16::ZERO),
-        };
-        let limit = u32::from(limit.to_bits());
-        let words = [
-            u32::from(x) | u32::from(y) << 16,
-            u32::from(z) | limit << 16,
-        ];
-        let [a, b, c] = vertex.node.map(|node| {
-            u32::from(
-                node_places
-                    .get(usize::from(node))
-                    .copied()
-                    .unwrap_or_default(),
-            )
-        });
-        let [first, second, _] = avatar
-            .node_weights_at(vertex.position, vertex.node)
-            .map(|w| (w * 65535.0).round() as u32);
-        OccluderCorner {
-            skinned: [
-                words[0],
-                words[1],
-                u32::from_le_bytes(vertex.joint),
-                u32::from_le_bytes(vertex.joint_weight),
-            ],
-            near: [a | b << 16, c, first | second << 16, neighbors],
-        }
-    };
-    let corners: Vec<OccluderCorner> = occluder.vertices.iter().map(corner).collect();
-    // A coarse mesh has fewer corners than 16 bits count; triangles beyond that are dropped.
-    let indices: Vec<[u16; 3]> = occluder
-        .triangles
-        .iter()
-        .filter_map(|corners| {
-            let [a, b, c] = corners.map(|corner| u16::try_from(corner).ok());
-            Some([a?, b?, c?])
-        })
-        .collect();
-    (corners, indices)
 }
 
 #[cfg(test)]

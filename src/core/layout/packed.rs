@@ -1,8 +1,8 @@
 //! An avatar as a device holds it, packed on the host by all of its cores. That needs no device: it
 //! can go on while one is opened.
 
-use super::{FrameBlock, OccluderCorner, pack};
-use crate::{avatar::Avatar, each, occluder::Occluder};
+use super::{FrameBlock, pack};
+use crate::{avatar::Avatar, each};
 
 /// A set of Gaussians: an avatar's own, or those of a level.
 #[derive(Clone)]
@@ -25,31 +25,6 @@ impl PackedSet {
     }
 }
 
-/// An occluder mesh; see [`pack::occluder`].
-#[derive(Clone, Default)]
-pub struct PackedOccluder {
-    /// A corner a vertex.
-    pub corners: Vec<OccluderCorner>,
-    /// Three corners a triangle.
-    pub triangles: Vec<[u16; 3]>,
-}
-
-impl PackedOccluder {
-    /// Makes and packs the mesh of an avatar.
-    ///
-    /// # Panics
-    /// Where [`Avatar::check`] finds a fault.
-    pub fn new(avatar: &Avatar) -> Self {
-        Self::with_places(avatar, &pack::node_places(avatar).0)
-    }
-
-    fn with_places(avatar: &Avatar, node_places: &[u16]) -> Self {
-        let mesh = Occluder::new(avatar);
-        let (corners, triangles) = pack::occluder(avatar, &mesh, node_places);
-        Self { corners, triangles }
-    }
-}
-
 /// A model, packed.
 #[derive(Clone)]
 pub struct PackedModel {
@@ -64,18 +39,15 @@ pub struct PackedModel {
     pub node_places: Vec<u16>,
     /// The Gaussians of the avatar, then those of its levels, the finest first.
     pub sets: Vec<PackedSet>,
-    /// The avatar's occluder mesh. None where no frame uses it.
-    pub occluder: Option<PackedOccluder>,
 }
 
 impl PackedModel {
-    /// Packs an avatar. `occluder`: whether frames use its occluder mesh.
+    /// Packs an avatar.
     ///
     /// # Panics
     /// Where [`Avatar::check`] finds a fault.
-    pub fn new(avatar: &Avatar, occluder: bool) -> Self {
+    pub fn new(avatar: &Avatar) -> Self {
         let (node_places, node_starts) = pack::node_places(avatar);
-        let mesh = || occluder.then(|| PackedOccluder::with_places(avatar, &node_places));
         let sets = || {
             let own = PackedSet::new(avatar, &node_places);
             let levels = avatar.levels.iter().map(|level| {
@@ -92,15 +64,13 @@ impl PackedModel {
             let networks = pack::networks(avatar, &pack::constants(avatar));
             (networks, pack::nodes(avatar, &node_places))
         };
-        // The mesh takes longest.
-        let (occluder, (sets, (networks, nodes))) = each::join(mesh, || each::join(sets, networks));
+        let (sets, (networks, nodes)) = each::join(sets, networks);
         Self {
             networks,
             nodes,
             node_starts,
             node_places,
             sets,
-            occluder,
         }
     }
 }

@@ -9,7 +9,6 @@ pub mod binning;
 pub mod frame;
 pub mod mlp;
 pub mod nodes;
-pub mod occluder;
 pub mod present;
 pub mod project;
 pub mod raster;

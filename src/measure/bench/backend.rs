@@ -1,7 +1,6 @@
 //! The backends that can be measured, behind one interface.
 
 use super::{report::DeviceReport, scene::BenchScene};
-use crate::bytes::OccluderSize;
 use effigy::vulkan::{self, trials, tuning::Progress};
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
@@ -184,19 +183,6 @@ impl BenchRenderer {
             Self::Vulkan(renderer) => renderer.options(),
             #[cfg(feature = "webgpu")]
             Self::WebGpu(renderer) => renderer.options(),
-        }
-    }
-
-    /// The size of the occluder mesh; zeros without one.
-    pub fn occluder_size(&self) -> OccluderSize {
-        let [vertices, triangles] = match self {
-            Self::Vulkan(renderer) => renderer.occluder_size(),
-            #[cfg(feature = "webgpu")]
-            Self::WebGpu(renderer) => renderer.occluder_size(),
-        };
-        OccluderSize {
-            vertices,
-            triangles,
         }
     }
 

@@ -15,7 +15,7 @@ pub fn read(text: &str) -> Result<BenchReport, ReadError> {
     let mut report: BenchReport = read_report(text, SCHEMA)?;
     let points = report.sweep.iter_mut().flat_map(|sweep| &mut sweep.points);
     for point in points.filter(|point| point.parameter == "skip-but") {
-        point.value = present_skip_names(std::mem::take(&mut point.value));
+        point.value = present_skip_names(&point.value);
     }
     Ok(report)
 }
@@ -155,7 +155,7 @@ mod tests {
             p95: 0.1 + 0.2,
             p99: 3e-9,
         };
-        let counters = BTreeMap::from([(text("drawn"), 10.0), (text("hidden"), ms - 10.0)]);
+        let counters = BTreeMap::from([(text("drawn"), 10.0), (text("faint"), ms - 10.0)]);
         let stage = StageReport {
             name: text("project"),
             ms: Some(spread),
@@ -235,7 +235,7 @@ mod tests {
     #[test]
     fn reports_with_old_names_read_as_the_new_ones() {
         let mut new = report(12.5, None);
-        new.options.skip = "hidden,saturated,damage".to_owned();
+        new.options.skip = "faint,saturated,damage".to_owned();
         let case = &mut new.cases[0];
         case.counters = BTreeMap::from([("cached".to_owned(), 3.0)]);
         if let Some(sweep) = &mut new.sweep {
@@ -243,7 +243,7 @@ mod tests {
             sweep.points[0].value = "damage".to_owned();
         }
         let mut old = serde_json::json!(new);
-        old["options"]["skip"] = "hidden,full,area".into();
+        old["options"]["skip"] = "faint,full,area".into();
         old["cases"][0]["counters"] = serde_json::json!({ "kept": 3.0 });
         old["cases"][0]["stages"][0]["name"] = "splats".into();
         old["sweep"]["points"][0]["value"] = "area".into();
@@ -265,7 +265,7 @@ mod tests {
             line(&comparison, "full", "psnr_db").change(),
             Change::Decibel(3.5)
         );
-        assert_eq!(line(&comparison, "full", "hidden").change(), Change::None);
+        assert_eq!(line(&comparison, "full", "faint").change(), Change::None);
         assert_eq!(
             line(&comparison, "full", "project_bytes").change(),
             Change::Ratio(1.0)

@@ -276,7 +276,6 @@ fn shown(
             dependencies: &dependencies,
             options,
             room: Room::unlimited(poses.len()),
-            has_occluder: false,
             always_submit: false,
         });
         Shown {

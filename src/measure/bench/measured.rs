@@ -11,7 +11,7 @@ use super::{
     task::BenchTask,
 };
 use crate::{
-    bytes::{self, OccluderSize, StageWork, WorkCounts},
+    bytes::{self, StageWork, WorkCounts},
     setting::RenderSetting,
 };
 use effigy_core::{
@@ -46,7 +46,6 @@ pub fn measure_case(
         }
     }
     let memory = gpu.memory();
-    let occluder = renderer.occluder_size();
     let mut told =
         |what: &str, done: usize, all: usize| progress(&format!("{case}: {what}"), done, all);
     let (checked, flicker) = if case.has_flicker() && task.checked > 0 {
@@ -85,7 +84,6 @@ pub fn measure_case(
         flicker,
         memory,
         is_timed: gpu.is_timed(),
-        occluder,
         tile_head_bytes: gpu.tiling().head_bytes(),
     };
     Ok(measured.report())
@@ -103,7 +101,6 @@ struct MeasuredCase<'a> {
     memory: DeviceMemory,
     /// Whether the device has timestamps.
     is_timed: bool,
-    occluder: OccluderSize,
     /// Bytes of the heads of all tiles' lists.
     tile_head_bytes: u64,
 }
@@ -172,7 +169,6 @@ impl MeasuredCase<'_> {
             drawn: count("drawn").unwrap_or_default(),
             networks: mean_networks(&self.samples.reports),
             pose_cached: count("cached") > Some(0),
-            occluder: self.occluder,
             tile_head_bytes: self.tile_head_bytes,
             covered: count("covered").or(covered),
             damaged: count("damaged").filter(|&damaged| damaged > 0),

@@ -23,8 +23,6 @@ const KEYS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::Thirt
 const CUTOFFS: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 /// Shares of the basis rows.
 const ROWS: [f64; 5] = [1.0, 0.75, 0.5, 0.25, 0.0];
-/// Margins behind the occluder, mm.
-const MARGINS: [f64; 6] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
 /// Frames that each pose is held for.
 const HOLDS: [usize; 5] = [1, 2, 3, 4, 6];
 
@@ -45,8 +43,6 @@ pub enum Parameter {
     Cutoff,
     /// Share of the basis rows.
     Rows,
-    /// Distance behind the occluder from which on a Gaussian is hidden.
-    Margin,
     /// Level of detail.
     Detail,
     /// How many times its size a small avatar is drawn.
@@ -71,7 +67,7 @@ pub struct ParameterValue {
 impl Parameter {
     /// Every parameter. The last is for a closer look at [`Parameter::Skip`] and not part of a
     /// sweep of all.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 12] = [
         Self::Preset,
         Self::Storage,
         Self::Keys,
@@ -79,7 +75,6 @@ impl Parameter {
         Self::Raster,
         Self::Cutoff,
         Self::Rows,
-        Self::Margin,
         Self::Detail,
         Self::Supersample,
         Self::PoseRate,
@@ -97,7 +92,6 @@ impl Parameter {
             Self::Raster => "raster",
             Self::Cutoff => "cutoff",
             Self::Rows => "rows",
-            Self::Margin => "margin",
             Self::Detail => "detail",
             Self::Supersample => "supersample",
             Self::PoseRate => "pose-rate",
@@ -149,14 +143,6 @@ impl Parameter {
                 for rows in ROWS {
                     if differs(rows, base.rows) {
                         values.add(rows, |s| s.rows = rows);
-                    }
-                }
-            }
-            Self::Margin => {
-                for margin in MARGINS {
-                    if differs(margin, 1e3 * options.margin) {
-                        let name = format!("{margin} mm");
-                        values.add(name, |s| s.options.margin = margin / 1e3);
                     }
                 }
             }
@@ -314,7 +300,7 @@ mod tests {
         assert!(
             "speed"
                 .parse::<Parameter>()
-                .is_err_and(|error| error.contains("margin"))
+                .is_err_and(|error| error.contains("cutoff"))
         );
     }
 
@@ -346,7 +332,6 @@ mod tests {
                             Parameter::Color => options.color = base().options.color,
                             Parameter::Raster => options.method = base().options.method,
                             Parameter::Cutoff => options.cutoff = base().options.cutoff,
-                            Parameter::Margin => options.margin = base().options.margin,
                             Parameter::Detail => options.detail = base().options.detail,
                             Parameter::Supersample => {
                                 options.supersampling = base().options.supersampling;

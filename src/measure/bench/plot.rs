@@ -25,7 +25,6 @@ static COLORS: [RGBColor; Parameter::ALL.len()] = [
     RGBColor(255, 127, 14),
     RGBColor(44, 160, 44),
     RGBColor(148, 103, 189),
-    RGBColor(140, 86, 75),
     RGBColor(227, 119, 194),
     RGBColor(23, 163, 184),
     RGBColor(150, 150, 20),

@@ -228,7 +228,6 @@ fn stage_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::E
     Ok(match name.as_str() {
         "features" => "mlp".into(),
         "harmonics" => "sh".into(),
-        "surface" => "occluder".into(),
         "splats" => "project".into(),
         "bins" => "binning".into(),
         _ => name,

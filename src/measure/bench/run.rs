@@ -9,7 +9,7 @@ use super::{
     case::BenchCase,
     scene::BenchScene,
 };
-use crate::{bytes::OccluderSize, setting::RenderSetting};
+use crate::setting::RenderSetting;
 use effigy::vulkan::{FRAMES_IN_FLIGHT, Gpu, GpuOptions, sort::choice};
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
@@ -79,11 +79,6 @@ impl CaseRenderer {
         Ok(Self {
             renderer: BenchRenderer::new(gpu, avatar, options)?,
         })
-    }
-
-    /// The size of the occluder mesh; zeros without one.
-    pub fn occluder_size(&self) -> OccluderSize {
-        self.renderer.occluder_size()
     }
 
     /// Submits a frame, unless nothing has changed.

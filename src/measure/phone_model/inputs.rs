@@ -8,6 +8,7 @@ use crate::{
     },
     report::read_report,
 };
+use effigy_core::frame::passes::Stage;
 use serde::Deserialize;
 use std::{fs, io, path::Path};
 
@@ -261,9 +262,14 @@ impl Counted {
         counter.ok_or_else(|| InputError::Missing(format!("count of {name} for {}", self.name)))
     }
 
-    /// The stages that ran, in order.
+    /// The stages that ran, in order. Counts may be older than the stages of today.
     pub(super) fn stages(&self) -> impl Iterator<Item = &StageReport> {
-        self.case.stages.iter().filter(|stage| stage.ran > 0.0)
+        let exists = |stage: &&StageReport| Stage::ALL.iter().any(|own| own.name() == stage.name);
+        self.case
+            .stages
+            .iter()
+            .filter(exists)
+            .filter(|stage| stage.ran > 0.0)
     }
 }
 

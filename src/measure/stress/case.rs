@@ -267,7 +267,7 @@ impl StressCase {
         if !probe.draws_triangles() {
             options.supersampling = Supersampling::OFF;
             options.method = Some(RasterMethod::Tiles);
-            options.skip -= Skip::HIDDEN | Skip::DEPTH;
+            options.skip -= Skip::DEPTH;
         }
         if options.kernel == Some(TileKernel::Cooperative) && !probe.can_cooperate() {
             options.kernel = Some(TileKernel::PerThread);

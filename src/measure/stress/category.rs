@@ -36,7 +36,7 @@ pub enum Category {
     Views,
     /// Several of these at once.
     Mixed,
-    /// A closed body with an occluder.
+    /// A closed body.
     Solid,
     /// A closed body that its pose pulls apart or stretches.
     Torn,
@@ -128,7 +128,7 @@ impl Category {
             Self::Sizes => "images from 1 px to 8192 px a side",
             Self::Views => "fields of view from 1° to 170°",
             Self::Mixed => "several of these at once",
-            Self::Solid => "a closed body, whose occluder hides Gaussians inside and behind it",
+            Self::Solid => "a closed body, much of which lies behind itself",
             Self::Torn => {
                 "a closed body that joints pull apart or stretch, so that its inside shows"
             }

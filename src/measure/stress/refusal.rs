@@ -166,13 +166,6 @@ fn bad_options(random: &mut Random, good: RendererOptions) -> Vec<(&'static str,
             },
         ),
         (
-            "a margin",
-            RendererOptions {
-                margin: nan,
-                ..good
-            },
-        ),
-        (
             "a low-pass",
             RendererOptions {
                 filter: Some(Filter {

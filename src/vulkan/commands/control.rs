@@ -6,7 +6,7 @@ use bytemuck::bytes_of;
 use effigy_core::layout::{Control, QUADS_PER_INSTANCE};
 
 /// Bytes of what counts the Gaussians left out for each reason (`shaders/project/culled.glsl`).
-pub const REASONS: u64 = 16;
+pub const REASONS: u64 = 12;
 
 /// Counts before anything is sorted.
 pub(crate) fn control(key_count: u32) -> Control {

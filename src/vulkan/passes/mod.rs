@@ -3,6 +3,5 @@
 
 pub(crate) mod mlp;
 pub(crate) mod model;
-pub(crate) mod occluder;
 pub(crate) mod project;
 pub(crate) mod sh;

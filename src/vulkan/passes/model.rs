@@ -9,41 +9,10 @@ use ash::vk;
 use bytemuck::cast_slice;
 use effigy_core::{
     avatar::Avatar,
-    layout::{FrameBlock, GAUSSIAN_PAIRS, PackedModel, PackedOccluder, PackedSet},
+    layout::{FrameBlock, GAUSSIAN_PAIRS, PackedModel, PackedSet},
 };
 use half::f16;
 use std::sync::Arc;
-
-/// An [`Occluder`] in device memory; see `shaders/occluder/depth.vert`.
-pub struct OccluderMesh {
-    /// Storage buffer: an [`OccluderCorner`](effigy_core::layout::OccluderCorner) a vertex.
-    pub corners: Buffer,
-    /// Index buffer: 16 bits an index.
-    pub indices: Buffer,
-    /// Of the mesh: three a triangle.
-    pub index_count: u32,
-}
-
-impl OccluderMesh {
-    /// Uploads a mesh.
-    pub(crate) fn new(gpu: &Arc<Gpu>, occluder: &PackedOccluder) -> Result<Self> {
-        Ok(Self {
-            corners: Buffer::with_data(
-                gpu,
-                "occluder corners",
-                cast_slice(&occluder.corners),
-                vk::BufferUsageFlags::STORAGE_BUFFER,
-            )?,
-            indices: Buffer::with_data(
-                gpu,
-                "occluder indices",
-                cast_slice(&occluder.triangles),
-                vk::BufferUsageFlags::INDEX_BUFFER,
-            )?,
-            index_count: 3 * occluder.triangles.len() as u32,
-        })
-    }
-}
 
 /// Gaussians in device memory.
 pub struct GaussianSet {
@@ -97,8 +66,6 @@ pub struct Model {
     pub node_places: Vec<u16>,
     /// The Gaussians of the avatar, then those of its levels, the finest first.
     pub sets: Vec<GaussianSet>,
-    /// The occluder mesh of the avatar.
-    pub occluder: OccluderMesh,
     /// Whether the networks' weights are bytes.
     pub networks_in_bytes: bool,
 }
@@ -108,7 +75,6 @@ impl Model {
     pub(crate) fn new(gpu: &Arc<Gpu>, avatar: &Avatar, packed: &PackedModel) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
         let buffer = |name, words: &[u32]| Buffer::with_data(gpu, name, cast_slice(words), storage);
-        let occluder = packed.occluder.clone().unwrap_or_default();
         Ok(Self {
             networks: buffer("networks", &packed.networks)?,
             nodes: buffer("nodes", &packed.nodes)?,
@@ -118,15 +84,13 @@ impl Model {
                 .iter()
                 .map(|set| GaussianSet::new(gpu, set))
                 .collect::<Result<_>>()?,
-            occluder: OccluderMesh::new(gpu, &occluder)?,
             node_places: packed.node_places.clone(),
             networks_in_bytes: avatar.networks.in_bytes(),
         })
     }
 
-    /// Fills the buffers with another avatar, which has no occluder mesh here. False, and nothing
-    /// has changed, where its arrays have other lengths; nor on an error that is not the device's
-    /// loss. No submitted work may use them.
+    /// Fills the buffers with another avatar. False, and nothing has changed, where its arrays have
+    /// other lengths; nor on an error that is not the device's loss. No submitted work may use them.
     pub(crate) fn replace(
         &mut self,
         gpu: &Arc<Gpu>,

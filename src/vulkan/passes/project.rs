@@ -130,7 +130,7 @@ impl Project {
             let caching = if caches {
                 Some(Caching {
                     store: kernel(&shaders::PROJECT, 1, &all)?,
-                    cached: kernel(&shaders::PROJECT_CACHED, 0, &all[2..])?,
+                    cached: kernel(&shaders::PROJECT_CACHED, 0, &all[3..])?,
                 })
             } else {
                 None

@@ -89,8 +89,6 @@ modules! {
     MLP = "mlp/mlp.comp", half;
     MLP_BYTES = "mlp/mlp_bytes.comp";
     SH = "sh/sh.comp", half;
-    OCCLUDER_DEPTH = "occluder/depth.vert";
-    OCCLUDER_PYRAMID = "occluder/pyramid.comp";
     PROJECT = "project/project.comp";
     PROJECT_CACHED = "project/project_cached.comp";
     SORT_COUNT = "sort/count.comp";

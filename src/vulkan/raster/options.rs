@@ -34,7 +34,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let mut skip = options.skip;
     let mut supersampling = options.supersampling;
     if !gpu.probe.draws_triangles() {
-        skip -= Skip::HIDDEN | Skip::DEPTH;
+        skip -= Skip::DEPTH;
         supersampling = Supersampling::OFF;
     }
     // Whether the depth test saves more than it costs is measured: on CPU drivers it does not

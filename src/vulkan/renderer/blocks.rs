@@ -134,11 +134,11 @@ impl Blocks {
         let block: &mut FrameBlock = from_bytes_mut(bytes);
         let set = instance.map_or(0, |instance| instance.model);
         block::write_constants(block, &sources.model.sets[set].constants);
-        let pose = PoseLayout::new(&sources.model.own().constants, sources.room);
-        block::write_shared(block, sources.options, layer, camera, pose);
+        block::write_shared(block, sources.options, layer, camera);
         sources.splats.fill(block);
         block.count_tile = sources.sort.tile();
         if let Some(instance) = instance {
+            let pose = PoseLayout::new(&sources.model.own().constants, sources.room);
             block::write_instance(block, sources.options, layer, instance, pose);
             sources.splats.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);

@@ -8,7 +8,7 @@ use crate::vulkan::{
     },
     device::recording::Recording,
     memory::{Buffer, Scope},
-    passes::{mlp::Mlp, occluder::OccluderPass, project::Project, sh::SphericalHarmonics},
+    passes::{mlp::Mlp, project::Project, sh::SphericalHarmonics},
     raster::{Raster, draw::Draw},
     sort::Sort,
 };
@@ -94,7 +94,6 @@ pub(super) struct Executor<'a> {
     pub mlp: &'a Mlp,
     /// Of the avatar, then of its levels; none where colours don't depend on the view.
     pub sh: &'a [SphericalHarmonics],
-    pub occluder: Option<&'a OccluderPass>,
     pub project: &'a Project,
     pub sort: &'a Sort,
     pub raster: &'a Raster,
@@ -195,19 +194,6 @@ impl Executor<'_> {
             } => {
                 let sh = self.sh.get(model).expect(SCHEDULED);
                 sh.record(commands, self.block(instance), gaussians);
-            }
-            Pass::Occluder { view, target } => {
-                let occluder = self.occluder.expect(SCHEDULED);
-                let avatars: Vec<u32> = self
-                    .plan
-                    .layer(target)
-                    .expect(SCHEDULED)
-                    .instances
-                    .iter()
-                    .filter(|instance| instance.has_occluder())
-                    .map(|instance| self.block(instance.index))
-                    .collect();
-                occluder.record(commands, &avatars, &view);
             }
             Pass::Project {
                 instance,

@@ -21,13 +21,7 @@ use super::{
         recording::Recording,
     },
     memory::Buffer,
-    passes::{
-        mlp::Mlp,
-        model::{Model, OccluderMesh},
-        occluder::OccluderPass,
-        project::Project,
-        sh::SphericalHarmonics,
-    },
+    passes::{mlp::Mlp, model::Model, project::Project, sh::SphericalHarmonics},
     pipeline::Launch,
     raster::{
         Raster,
@@ -54,7 +48,6 @@ use effigy_core::{
         state::{FrameState, PlanInput},
         validate,
     },
-    layout::{OccluderCorner, PackedOccluder},
     scene::{AvatarBounds, Camera, Detail, FrameImage, PartDependencies, PixelRect, Posed},
 };
 use execute::Executor;
@@ -87,8 +80,6 @@ impl<'a> Presentation<'a> {
 pub struct Renderer {
     // The first field: dropping it waits for the frames that use all others.
     frames_in_flight: Vec<FrameInFlight>,
-    /// None where nothing is left out behind it.
-    occluder: Option<OccluderPass>,
     mlp: Mlp,
     /// Of the avatar, then of its levels; none where colours don't depend on the view.
     sh: Vec<SphericalHarmonics>,
@@ -96,8 +87,7 @@ pub struct Renderer {
     sort: Sort,
     raster: Raster,
     control: Buffer,
-    /// Features, then node displacements, of one avatar after the other; then the occluder's depth
-    /// pyramid.
+    /// Features, then node displacements, of one avatar after the other; then a vector of zeros.
     pose: Buffer,
     /// A block for each avatar of each frame under way.
     blocks: Blocks,
@@ -138,7 +128,7 @@ impl Renderer {
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, the device's memory
     /// does not suffice, or it fails.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
-        Self::from_prepared(gpu, &PreparedAvatar::new(avatar, &options)?, options)
+        Self::from_prepared(gpu, &PreparedAvatar::new(avatar)?, options)
     }
 
     /// [`Self::new`] for an avatar that was prepared before there was a device.
@@ -184,10 +174,8 @@ impl Renderer {
         if avatar.sh.is_some() {
             options.skip -= Skip::SKINNING;
         }
-        let has_occluder = options.skip.contains(Skip::HIDDEN) && !prepared.without_occluder;
         let began = Instant::now();
-        let packed = prepared.packed(has_occluder);
-        let model = Model::new(gpu, avatar, &packed)?;
+        let model = Model::new(gpu, avatar, &prepared.packed)?;
         tracing::info!("uploaded the avatar in {:.1} ms", ms_since(began));
         let began = Instant::now();
         let constants = &model.own().constants;
@@ -195,7 +183,7 @@ impl Renderer {
         let extent = prepared.bounds.clone().filtered(options.filter);
         let room = Room::new(&options, &extent)?;
         let layout = PoseLayout::new(constants, room);
-        // Zeros: a corner of the occluder may follow a node of a part that no frame has shown yet.
+        // The last vector stays as it is.
         let zeros = vec![0; 16 * layout.total() as usize];
         let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
         let blocks = Blocks::new(gpu, options.instances, constants)?;
@@ -234,16 +222,6 @@ impl Renderer {
             packed_words: options.packed_words == Some(true),
             ..Launch::default()
         };
-        let occluder = if has_occluder && model.occluder.index_count > 0 {
-            Some(OccluderPass::new(
-                gpu,
-                frame,
-                &model.occluder,
-                (&pose).into(),
-            )?)
-        } else {
-            None
-        };
         let mut sh = vec![];
         if avatar.sh.is_some() {
             let levels = avatar.levels.iter().map(|level| avatar.at_level(level));
@@ -258,7 +236,6 @@ impl Renderer {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
-            occluder,
             mlp: Mlp::new(gpu, &model, frame, (&pose).into(), launch)?,
             sh,
             project,
@@ -285,30 +262,10 @@ impl Renderer {
         Ok(renderer)
     }
 
-    /// Leaves out what is hidden behind this mesh of the avatar from the next frame on. Does nothing
-    /// where options hide nothing, the mesh is empty, or there is one.
-    ///
-    /// # Errors
-    /// When the device's memory does not suffice, or it fails. Nothing has changed then.
-    pub fn add_occluder(&mut self, mesh: &PackedOccluder) -> Result<()> {
-        let is_wanted = self.options.skip.contains(Skip::HIDDEN) && self.occluder.is_none();
-        if !is_wanted || mesh.triangles.is_empty() {
-            return Ok(());
-        }
-        let mesh = OccluderMesh::new(&self.gpu, mesh)?;
-        let frame = self.blocks.slice();
-        let pose = (&self.pose).into();
-        self.occluder = Some(OccluderPass::new(&self.gpu, frame, &mesh, pose)?);
-        // No frame has used the empty one.
-        self.model.occluder = mesh;
-        Ok(())
-    }
-
     /// Draws this avatar from now on, which has the lengths of the one before in every array, the
     /// same bounds in what they ask room for, and no spherical harmonics: kernels, bindings and
     /// image stay. Waits for submitted frames. False, and nothing has changed, where it needs a
-    /// renderer of its own, as where hidden Gaussians are left out behind the last one's occluder
-    /// mesh.
+    /// renderer of its own.
     ///
     /// # Errors
     /// When the device fails, or its memory does not suffice: nothing has changed then.
@@ -316,21 +273,17 @@ impl Renderer {
         let avatar = prepared.avatar;
         let extent = prepared.bounds.clone().filtered(self.options.filter);
         let has_sh = !self.sh.is_empty() || avatar.sh.is_some();
-        let packed = prepared.packed(false);
+        let packed = &prepared.packed;
         let poses = [
             self.model.own().constants.as_ref(),
             &packed.sets[0].constants,
         ]
         .map(|constants| PoseLayout::new(constants, self.room).total());
-        if self.occluder.is_some()
-            || has_sh
-            || poses[0] != poses[1]
-            || Room::new(&self.options, &extent)? != self.room
-        {
+        if has_sh || poses[0] != poses[1] || Room::new(&self.options, &extent)? != self.room {
             return Ok(false);
         }
         self.finish()?;
-        if !self.model.replace(&self.gpu, avatar, &packed)? {
+        if !self.model.replace(&self.gpu, avatar, packed)? {
             return Ok(false);
         }
         self.extent = extent;
@@ -354,21 +307,11 @@ impl Renderer {
     fn equipment(&self) -> Equipment {
         Equipment {
             sh: !self.sh.is_empty(),
-            occluder: self.occluder.is_some(),
             supersampling: self.options.supersampling.is_on(),
             method: self.raster.method(),
             kernel: tile_kernel(&self.options, &self.gpu),
             skip: self.options.skip,
         }
-    }
-
-    /// Numbers of corners and triangles of the occluder mesh.
-    pub fn occluder_size(&self) -> [u64; 2] {
-        let mesh = &self.model.occluder;
-        [
-            mesh.corners.size / size_of::<OccluderCorner>() as u64,
-            u64::from(mesh.index_count / 3),
-        ]
     }
 
     /// The `raster` stage, which holds the image.
@@ -464,7 +407,6 @@ impl Renderer {
             dependencies: &self.needs,
             options: &self.options,
             room: self.room,
-            has_occluder: self.occluder.is_some(),
             always_submit: presentation.is_some(),
         });
         if !plan.redraw && presentation.is_none() {
@@ -537,7 +479,6 @@ impl Renderer {
     fn record(&mut self, frame: usize, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
         let stages = StageDispatches {
             has_sh: !self.sh.is_empty(),
-            occluder: schedule.runs(Stage::Occluder),
             sort: schedule.runs(Stage::Sort) * self.sort.dispatches(true) as u64,
             // Quads have none without the stages before them.
             raster: schedule.runs(Stage::Binning) * self.raster.dispatches(),
@@ -559,7 +500,6 @@ impl Renderer {
         let executor = Executor {
             mlp: &self.mlp,
             sh: &self.sh,
-            occluder: self.occluder.as_ref(),
             project: &self.project,
             sort: &self.sort,
             raster: &self.raster,
@@ -704,13 +644,10 @@ impl Renderer {
     /// Waits, and copies every stage's output of the last frame to the host.
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
-        let layout = PoseLayout::new(&self.model.own().constants, self.room);
-        let pyramid_start = 4 * layout.pyramid();
         let sources = stages::StageSources {
             model: &self.model,
             pose: &self.pose,
             control: &self.control,
-            pyramid_start: self.occluder.is_some().then_some(pyramid_start as usize),
             splats: &self.project,
             sort: &self.sort,
         };

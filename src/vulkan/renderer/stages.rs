@@ -6,7 +6,7 @@ use crate::vulkan::{
     passes::{model::Model, project::Project},
     sort::Sort,
 };
-use effigy_core::layout::{Control, PYRAMID_WORDS};
+use effigy_core::layout::Control;
 use half::f16;
 
 /// A stage's buffers read back, for tests.
@@ -24,8 +24,6 @@ pub struct Stages {
     pub keys: Vec<u32>,
     /// Indices of the visible splats in drawing order.
     pub order: Vec<u32>,
-    /// The finest level of the depth pyramid, row by row, in 65535ths; empty without an occluder.
-    pub pyramid: Vec<u16>,
     /// Counts and arguments that the sort wrote.
     pub control: Control,
 }
@@ -35,8 +33,6 @@ pub(super) struct StageSources<'a> {
     pub model: &'a Model,
     pub pose: &'a Buffer,
     pub control: &'a Buffer,
-    /// The word of `pose` that the depth pyramid begins at; None without an occluder.
-    pub pyramid_start: Option<usize>,
     pub splats: &'a Project,
     pub sort: &'a Sort,
 }
@@ -47,12 +43,8 @@ impl StageSources<'_> {
         let constants = &self.model.own().constants;
         let features = 16 * (constants.parts * constants.feature_quads) as usize;
         let nodes_end = features + 8 * constants.nodes as usize;
-        let pyramid = match self.pyramid_start {
-            Some(word) => 4 * word..4 * (word + PYRAMID_WORDS as usize),
-            None => nodes_end..nodes_end,
-        };
-        let pose = self.pose.download(pyramid.end)?;
-        let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..nodes_end]);
+        let pose = self.pose.download(nodes_end)?;
+        let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
         let control: Control =
             bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
         let (splats, keys) = self.splats.download(control.key_count)?;
@@ -68,7 +60,6 @@ impl StageSources<'_> {
             splats,
             keys,
             order: self.sort.download(control.visible_count)?,
-            pyramid: bytemuck::pod_collect_to_vec(&pose[pyramid]),
             control,
         })
     }

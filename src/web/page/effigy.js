@@ -437,13 +437,9 @@ export class Effigy extends EventTarget {
     if (!this.#frameRequest) this.#frameTimes.rest();
   }
 
-  /**
-   * Lets an avatar hide what lies behind it, and gives it its levels of detail, while the device
-   * draws its first frame.
-   */
+  /** Gives an avatar its levels of detail while the device draws its first frame. */
   #completeLater() {
     this.#completedTicket = this.#shownTicket;
-    this.#later(() => this.#view.add_occluder());
     this.#later(() => this.#view.add_levels());
   }
 

@@ -8,7 +8,6 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::Skip,
     scene::{Camera, Posed},
 };
 use effigy_measure::{error, stress::Rasterizer};
@@ -149,10 +148,7 @@ fn an_image_is_read_after_a_frame_and_not_before() {
 /// one that needs other buffers it is said, and nothing changes.
 fn an_avatar_takes_the_place_of_another() {
     let device = gpu::gpu();
-    let unhidden = RendererOptions {
-        skip: Skip::all() - Skip::HIDDEN,
-        ..gpu::options([160, 200])
-    };
+    let options = gpu::options([160, 200]);
     let [first, second] = [7, 8].map(|seed| common::avatar(seed, Sizes::default()));
     let other = common::avatar(
         8,
@@ -167,19 +163,19 @@ fn an_avatar_takes_the_place_of_another() {
         focal: 0.9 * near.focal,
         ..near
     };
-    let mut renderer = Renderer::new(&device, &first, unhidden).unwrap();
+    let mut renderer = Renderer::new(&device, &first, options).unwrap();
     // The second frame stores the pose, the third draws what is stored.
     for camera in [&near, &far, &near] {
         renderer.draw(&posed, camera, None).unwrap();
     }
     let shown = renderer.read_image().unwrap();
-    let prepare = |avatar| PreparedAvatar::new(avatar, &unhidden).unwrap();
+    let prepare = |avatar| PreparedAvatar::new(avatar).unwrap();
     assert!(!renderer.replace_avatar(&prepare(&other)).unwrap());
     assert_eq!(renderer.read_image().unwrap(), shown);
     assert!(renderer.replace_avatar(&prepare(&second)).unwrap());
     assert!(matches!(renderer.read_image(), Err(Error::NothingDrawn)));
     let posed = Posed::new(&second, &common::pose(7, &second));
-    let mut own = Renderer::new(&device, &second, unhidden).unwrap();
+    let mut own = Renderer::new(&device, &second, options).unwrap();
     for camera in [&near, &far, &near] {
         for renderer in [&mut renderer, &mut own] {
             renderer.draw(&posed, camera, None).unwrap();

@@ -6,7 +6,6 @@ pub mod detail;
 pub mod frame;
 pub mod mlp;
 pub mod nodes;
-pub mod occluder;
 pub mod project;
 pub mod raster;
 pub mod resolve;

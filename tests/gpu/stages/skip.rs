@@ -114,43 +114,6 @@ fn a_frame_that_needs_nothing_is_not_submitted() {
     assert_eq!(submitted(0.1).0, 1);
 }
 
-/// Gaussians behind the solid body are left out before the sort, within the image's budget.
-fn hidden_gaussians_are_left_out_within_the_budget() {
-    let device = gpu::drawing();
-    let avatar = effigy_demo::avatar().unwrap();
-    let player = Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton);
-    let size = [480, 760];
-    for (seconds, yaw) in [(0.5, 0.3), (2.0, 3.4)] {
-        let posed = Posed::new(&avatar, &player.pose(seconds));
-        let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
-        let camera = Camera::around(bounds, yaw, 0.1, 0.6, size);
-        let draw = |skip| {
-            let mut renderer = Renderer::new(
-                &device,
-                &avatar,
-                RendererOptions {
-                    skip,
-                    ..gpu::options(size)
-                },
-            )
-            .unwrap();
-            renderer.draw(&posed, &camera, None).unwrap();
-            let image = renderer.read_image().unwrap();
-            (image, renderer.report().counters.drawn)
-        };
-        let ((exact, all), (image, drawn)) = (draw(Skip::empty()), draw(Skip::HIDDEN));
-        // The demo's shell is hardly thicker than an opaque one: where it is pulled apart by a tenth,
-        // the occluder hides nothing.
-        assert!(drawn * 33 < all * 32, "{drawn} of {all} drawn");
-        let difference = error::between(&image, &exact);
-        assert!(
-            difference.covered.psnr_db > 50.0,
-            "{:?} at {seconds} s",
-            difference.covered
-        );
-    }
-}
-
 /// Images with quads of a size and the fragments shaded, where the device counts them: with
 /// everything drawn, and with fragments behind the saturation depth left to the depth test.
 fn with_and_without_depth(
@@ -198,7 +161,7 @@ fn fragments_behind_the_saturation_depth_are_left_out_within_the_budget() {
     }
 }
 
-fn fewer_fragments_are_shaded_where_some_are_hidden() {
+fn fewer_fragments_are_shaded_where_depth_is_tested() {
     let device = gpu::drawing();
     if device.probe.driver.contains("Mesa 22.") {
         not_run(
@@ -328,11 +291,7 @@ fn parts_outside_the_view_wait_for_it() {
         Camera::orbit(DVec3::Y, 0.3, 0.0, 5.0, 0.7, size),
     ];
     let poses = demo_poses(&[0.5, 2.0, 2.0, 2.0, 2.0]);
-    for skip in [
-        Skip::POSE,
-        Skip::POSE | Skip::SKINNING,
-        Skip::POSE | Skip::HIDDEN,
-    ] {
+    for skip in [Skip::POSE, Skip::POSE | Skip::SKINNING] {
         let (all, some) = (
             turn(&device, &poses, &cameras, skip),
             turn(&device, &poses, &cameras, skip | Skip::PARTS),
@@ -440,9 +399,8 @@ fn only_a_box_around_the_avatar_is_drawn(raster: Raster) {
 tests! {
     exact_skips_change_no_bit,
     a_frame_that_needs_nothing_is_not_submitted,
-    hidden_gaussians_are_left_out_within_the_budget,
     fragments_behind_the_saturation_depth_are_left_out_within_the_budget,
-    fewer_fragments_are_shaded_where_some_are_hidden,
+    fewer_fragments_are_shaded_where_depth_is_tested,
     full_pixels_take_no_more_within_the_budget[Tiles],
     full_pixels_take_no_more_within_the_budget[SharedTiles],
     a_still_body_comes_from_the_pose_cache_and_does_not_jump,

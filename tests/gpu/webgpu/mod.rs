@@ -16,10 +16,7 @@ use crate::{
         saturation::{Sampled, sampled_frames},
     },
 };
-use effigy::{
-    quirks::draws_triangles,
-    webgpu::{Error, Gpu, Renderer},
-};
+use effigy::webgpu::{Error, Gpu, Renderer};
 use effigy_core::{
     avatar::{Avatar, Filter, ShCoefficients},
     frame::{KeyBits, RasterMethod, RendererOptions, Skinning, Skip, SortVariant, TileKernel},
@@ -375,13 +372,8 @@ fn only_what_changed_is_drawn_again(raster: Raster) {
         Skinning::Cached
     );
     let reasons = counters.reasons.unwrap();
-    assert!(
-        reasons.hidden > 1000 || !draws_triangles(device.name()),
-        "{reasons:?}"
-    );
     assert_eq!(
         reasons.outside
-            + reasons.hidden
             + reasons.faint
             + reasons.degenerate
             + counters.drawn
@@ -583,38 +575,6 @@ fn an_avatar_is_drawn_before_its_correctives_are_there(raster: Raster) {
     }
 }
 
-/// A page draws the first frame without the occluder, and makes it afterwards.
-fn the_occluder_may_come_after_the_first_frame() {
-    let device = open();
-    let (avatar, posed, camera) = scene([320, 320]);
-    let options = RendererOptions {
-        count: true,
-        ..Tiles.options(device.name(), camera.size)
-    };
-    let mut renderer = Renderer::empty(&device, &avatar, options).unwrap();
-    assert_eq!(renderer.upload(&avatar), Ok(true));
-    let mut hidden = Vec::new();
-    for focal in [1.0, 1.001] {
-        let camera = Camera {
-            focal: focal * camera.focal,
-            ..camera
-        };
-        assert_eq!(renderer.draw(&posed, &camera), Ok(true));
-        let error = error::between(
-            &renderer.read_image().unwrap(),
-            &reference::render(&avatar.compact(), &posed, &camera),
-        );
-        assert!(error.covered.psnr_db > 48.0, "{:?}", error.covered);
-        hidden.push(renderer.report().counters.reasons.unwrap().hidden);
-        renderer.add_occluder(&avatar).unwrap();
-    }
-    assert_eq!(hidden[0], 0);
-    assert!(
-        hidden[1] > 1000 || !draws_triangles(device.name()),
-        "{hidden:?}"
-    );
-}
-
 /// What as much of a file holds as is needed for that.
 pub fn neutral(file: &[u8]) -> Avatar {
     let needs = |bytes: &[u8]| match Avatar::neutral(bytes, file.len()) {
@@ -811,7 +771,6 @@ tests! {
     an_avatar_is_drawn_before_its_correctives_are_there[Quads],
     an_avatar_is_drawn_before_its_correctives_are_there[Tiles],
     an_avatar_is_drawn_before_its_correctives_are_there[SharedTiles],
-    the_occluder_may_come_after_the_first_frame,
     only_a_box_around_the_avatar_is_drawn[Tiles],
     only_a_box_around_the_avatar_is_drawn[SharedTiles],
     what_a_device_refuses_while_it_is_watched_is_the_watchs_error,

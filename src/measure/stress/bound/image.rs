@@ -2,7 +2,6 @@
 
 use super::{
     features,
-    occluded::{Occluded, OccludedInput},
     pixel::{Layer, Ordered, PixelBound},
     rounding::{F32, Rounding},
     splats::{self, SplatInput, UncertainSplat},
@@ -14,11 +13,10 @@ use effigy_core::{
         FrameState, PlanInput, RendererOptions, Skip, atlas::Slot, pose_cache::PoseCache,
         room::Room, schedule::SATURATION_PIXELS,
     },
-    occluder::Occluder,
     reference,
     scene::{AvatarBounds, Camera, FrameImage, PartDependencies, PartSet, PixelRect, Posed},
 };
-use glam::{DVec2, DVec3, IVec2, UVec2};
+use glam::{DVec2, IVec2, UVec2};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -100,8 +98,6 @@ impl ImageBound {
         } = *scene;
         let bounds = AvatarBounds::new(avatar).filtered(options.filter);
         let dependencies = PartDependencies::new(avatar);
-        let has_occluder =
-            rounding.skip.contains(Skip::HIDDEN) && !Occluder::new(avatar).triangles.is_empty();
         let plan = FrameState::default().plan(PlanInput {
             poses: &[posed],
             camera,
@@ -109,7 +105,6 @@ impl ImageBound {
             dependencies: &dependencies,
             options,
             room: Room::unlimited(1),
-            has_occluder,
             always_submit: true,
         });
         // One avatar has one layer: the image, or an atlas that is averaged into it.
@@ -146,26 +141,6 @@ impl ImageBound {
             low_pass: instance.map_or(scene.filter().into(), |instance| instance.low_pass),
             rounding,
         });
-        if let Some(view) = &layer.occluder_view {
-            let nodes: Vec<DVec3> = nodes
-                .iter()
-                .map(|node| DVec3::from(features::values(*node)))
-                .collect();
-            let occluded = Occluded::new(&OccludedInput {
-                avatar,
-                posed,
-                camera,
-                nodes: &nodes,
-                view,
-                depth_range: layer.depth_range,
-                margin: rounding.margin,
-            });
-            if let Some(occluded) = occluded {
-                for splat in &mut splats {
-                    splat.may_vanish |= occluded.may_hide(splat);
-                }
-            }
-        }
         if let Some(slot) = plan.atlas.as_ref().and_then(|atlas| atlas.slots.first()) {
             // What is not all inside its slot is cut off.
             let [min, max] = [slot.rect().min, slot.rect().max].map(|at| at.as_dvec2());

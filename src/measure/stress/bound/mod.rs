@@ -2,13 +2,11 @@
 //! formats and its arithmetic round, not measured.
 //!
 //! `rounding` says what a renderer's options and its device round. `features` carries that through
-//! the networks, `splats` to each projected Gaussian, `occluded` finds which of them may be hidden.
-//! `pixel` blends what is left on intervals, and `image` does so for a whole image and holds a
-//! device's to it.
+//! the networks, `splats` to each projected Gaussian. `pixel` blends them on intervals, and `image`
+//! does so for a whole image and holds a device's to it.
 
 mod features;
 mod image;
-mod occluded;
 mod pixel;
 mod rounding;
 mod splats;

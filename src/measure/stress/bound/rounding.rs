@@ -43,8 +43,6 @@ pub struct Rounding {
     pub skip: Skip,
     /// Opacity under which nothing is drawn.
     pub cutoff: f64,
-    /// How far behind the occluder a Gaussian must be to be hidden, metres.
-    pub margin: f64,
     /// Half a step of the grid that corners of triangles lie on, px.
     pub snap: f64,
     /// How often the blender rounds a layer of an image in f16: once where it computes in f32 and
@@ -80,7 +78,6 @@ impl Rounding {
             keys: options.keys(),
             skip: options.skip,
             cutoff: options.cutoff.max(ALPHA_MIN),
-            margin: options.margin,
             snap: 1.0 / 512.0,
             blend_roundings: 1.0,
             varying: 0.0,

@@ -13,7 +13,7 @@ use super::{
 };
 use effigy_core::{
     avatar::{Avatar, LowPass},
-    constants::{ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX},
+    constants::{ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX},
     frame::{Skip, fixed_scale, pose_cache::PoseCache},
     layout::compact::Neutral,
     reference::{Gaussian, Splat, project},
@@ -26,9 +26,9 @@ use rayon::prelude::*;
 /// (`project/pose_cache.glsl`).
 const CACHE_CODES: f64 = 16_777_215.0;
 const CACHE_TAIL: f64 = 1.0 / 64.0;
-/// Steps of the longest axis that the pose cache's axes have.
+/// Steps of its size that the axes of a Gaussian in the pose cache have.
 const CACHE_STEPS: f64 = 1023.0;
-/// The longest axis has 8 steps an octave in 8 bits, from 2⁻¹⁹ units on.
+/// The size has 8 steps an octave in 8 bits, from 2⁻¹⁹ units on.
 const CACHE_OCTAVE: f64 = 8.0;
 const CACHE_FIRST: f64 = -19.0;
 const CACHE_LAST: f64 = 255.0;
@@ -111,9 +111,6 @@ pub struct UncertainSplat {
     pub color_error: f64,
     /// Half the sides of a box outside which no device draws it, px.
     pub reach: DVec2,
-    /// A device's longest axis may be this long, px, by what a pixel is tested against the
-    /// occluder.
-    pub occluder_radius: f64,
     /// The reference's own; None where it culls it.
     exact: Option<Splat>,
     opacity: f64,
@@ -173,8 +170,6 @@ struct Posed3 {
     /// How far nodes move it, and its longest axis, metres in canonical space.
     displaced: f64,
     axis: f64,
-    /// The longest axis by which it is tested against the occluder, metres.
-    longest: f64,
 }
 
 /// Each entry as its absolute value.
@@ -282,21 +277,7 @@ impl SplatInput<'_> {
                 (clamp(error) - clamp(0.0)).max(clamp(0.0) - clamp(-error))
             })
             .fold(0.0, f64::max);
-        let neutral_longest = neutral.log_scale[k]
-            .iter()
-            .map(|s| f64::from(*s).min(LOG_SCALE_MAX))
-            .fold(f64::NEG_INFINITY, f64::max);
-        let largest_row = |m: DMat3| row_lengths(m).max_element();
-        let linear = view.matrix3
-            * project::skinning(
-                &self.posed.joints,
-                neutral.joint[k],
-                neutral.joint_weight[k],
-            )
-            .matrix3;
         let corrected = log_scale.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        // As `project.comp` has it, from scales without correctives.
-        let longest = LONGEST_MARGIN * neutral_longest.exp() * largest_row(linear);
         Posed3 {
             mean: view.transform_point3(self.gaussians[k].mean),
             mean_error,
@@ -306,7 +287,6 @@ impl SplatInput<'_> {
             color_error,
             displaced: displaced.length(),
             axis: corrected.exp(),
-            longest,
         }
     }
 
@@ -334,15 +314,14 @@ impl SplatInput<'_> {
         let rows = row_lengths(stored.axes);
         let row_error = row_lengths(stored.axes_error)
             + rows * stored.scale_error.into_iter().fold(0.0, f64::max);
-        let longest = stored
-            .longest
-            .max((rows + row_error).max_element())
+        let largest = (rows + row_error)
+            .max_element()
             .max(cache.unit * CACHE_FIRST.exp2());
         let most = cache.unit * (CACHE_LAST / CACHE_OCTAVE + CACHE_FIRST).exp2();
-        if longest.is_nan() || longest > most {
+        if largest.is_nan() || largest > most {
             return None;
         }
-        let unit = longest * (1.0 / CACHE_OCTAVE).exp2() * (1.0 + 32.0 * F32) / CACHE_STEPS;
+        let unit = largest * (1.0 / CACHE_OCTAVE).exp2() * (1.0 + 32.0 * F32) / CACHE_STEPS;
         // Gram–Schmidt of the rows, as the device does it.
         let transposed = stored.axes.transpose();
         let [a, b, c] = [transposed.x_axis, transposed.y_axis, transposed.z_axis];
@@ -410,7 +389,6 @@ impl SplatInput<'_> {
             color: gaussian.color,
             color_error: rounding.color_step() + posed.as_ref().map_or(1.0, |p| p.color_error),
             reach: DVec2::INFINITY,
-            occluder_radius: 0.0,
             exact: project::project_within(gaussian, camera, self.limits, self.low_pass, 0).ok(),
             opacity,
             opacity_error: rounding.opacity(opacity),
@@ -555,9 +533,6 @@ impl SplatInput<'_> {
         } else {
             splat.evaluated_from = 4.0;
         }
-        splat.occluder_radius = opaque
-            * (posed.longest * slope.extend(1.0).length() * camera.focal.max_element().abs() / t.z
-                + low_pass.sqrt());
         splat.anywhere = false;
         splat.shape = splat.shape();
         let relative = splat.opacity_error + splat.alpha_error;
@@ -582,7 +557,15 @@ impl SplatInput<'_> {
 
 /// Keys of depths, 0 (far) to 1, as `common/depth_key.glsl` has them.
 fn key_of(depth: f64, range: [f64; 2]) -> f64 {
-    1.0 - effigy_core::reference::occluder::depth_of(depth, range)
+    const TAIL: f64 = 1.0 / 64.0;
+    let at = (range[1] - depth) / (range[1] - range[0]);
+    if at < 0.0 {
+        TAIL / (1.0 - at)
+    } else if at > 1.0 {
+        1.0 - TAIL / at
+    } else {
+        TAIL + (1.0 - 2.0 * TAIL) * at
+    }
 }
 
 impl UncertainSplat {
