@@ -345,12 +345,9 @@ impl Avatar {
 
     /// Weights of a Gaussian's three nodes: 1 / max(‖x₀ − x_s‖, 1e-6), scaled to a sum of 1.
     pub fn node_weights(&self, gaussian: usize) -> [f64; 3] {
-        self.node_weights_at(self.position(gaussian), self.gaussians.node[gaussian])
-    }
-
-    /// Weights of three nodes for a point in canonical space, metres.
-    pub fn node_weights_at(&self, position: DVec3, node: [u16; 3]) -> [f64; 3] {
-        let alpha = node.map(|s| 1.0 / position.distance(self.node_position(s as usize)).max(1e-6));
+        let position = self.position(gaussian);
+        let alpha = self.gaussians.node[gaussian]
+            .map(|s| 1.0 / position.distance(self.node_position(s as usize)).max(1e-6));
         alpha.map(|a| a / alpha.iter().sum::<f64>())
     }
 }

@@ -323,22 +323,6 @@ impl AvatarBounds {
         }
     }
 
-    /// A rectangle of the image outside which nothing of the avatar is drawn. Empty where the
-    /// avatar is outside the image.
-    pub fn screen(&self, joints: &[DAffine3], camera: &Camera) -> PixelRect {
-        let size = UVec2::from(camera.size);
-        let Some(mut projected) = self.project(joints, camera, MARGIN) else {
-            return PixelRect::whole(camera.size);
-        };
-        projected.min -= reach_of(self.filter);
-        projected.max += reach_of(self.filter);
-        let rect = projected.clamp(size);
-        PixelRect {
-            min: rect.min.min(rect.max),
-            max: rect.max,
-        }
-    }
-
     /// Area of a rectangle around the avatar without a margin, px², which may extend beyond the
     /// image. None where the avatar crosses the near plane.
     pub fn pixels(&self, joints: &[DAffine3], camera: &Camera) -> Option<f64> {

@@ -15,8 +15,6 @@ use std::sync::Arc;
 /// Use of a kernel's image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundImage {
-    /// Reads a depth image through a sampler.
-    Sampled,
     /// Reads a colour image, which a kernel wrote, through a sampler.
     Gathered,
     /// Writes texels.
@@ -26,16 +24,8 @@ pub enum BoundImage {
 impl BoundImage {
     fn kind(self) -> vk::DescriptorType {
         match self {
-            Self::Sampled | Self::Gathered => vk::DescriptorType::COMBINED_IMAGE_SAMPLER,
+            Self::Gathered => vk::DescriptorType::COMBINED_IMAGE_SAMPLER,
             Self::Written => vk::DescriptorType::STORAGE_IMAGE,
-        }
-    }
-
-    /// The layout that the image is in while the kernel runs.
-    pub fn layout(self) -> vk::ImageLayout {
-        match self {
-            Self::Sampled => vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL,
-            Self::Gathered | Self::Written => vk::ImageLayout::GENERAL,
         }
     }
 }
@@ -153,8 +143,8 @@ impl Bindings {
     /// Sets the image of bindings that have one.
     ///
     /// # Safety
-    /// No submitted work may use the set. The image must be in [`BoundImage::layout`] when it is
-    /// used, and it and the sampler, which a written image has none of, must outlive that.
+    /// No submitted work may use the set. The image must be in the layout `GENERAL` when it is used,
+    /// and it and the sampler, which a written image has none of, must outlive that.
     pub unsafe fn set_image(&self, sampler: vk::Sampler, image_view: vk::ImageView) {
         let Some((binding, bound)) = self.image else {
             return;
@@ -162,7 +152,7 @@ impl Bindings {
         let image = [vk::DescriptorImageInfo {
             sampler,
             image_view,
-            image_layout: bound.layout(),
+            image_layout: vk::ImageLayout::GENERAL,
         }];
         let write = vk::WriteDescriptorSet::default()
             .dst_set(self.set.raw)

@@ -1,5 +1,5 @@
 //! Render passes and graphics pipelines of the stages that draw: a render pass with a colour
-//! attachment, a depth attachment or both, and a pipeline that draws triangles to it.
+//! attachment and, where depths are tested, one of depth, and a pipeline that draws triangles to it.
 
 use super::{
     module::{flags, list, shader_module, specialization_entries, take_over},
@@ -49,13 +49,13 @@ pub(crate) fn over() -> vk::PipelineColorBlendAttachmentState {
         .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
 }
 
-/// A depth attachment that is cleared.
-pub(crate) fn depth(final_layout: Option<vk::ImageLayout>) -> Attachment {
+/// A depth attachment that is cleared, and that nothing reads after the render pass.
+pub(crate) fn depth() -> Attachment {
     Attachment {
         format: DEPTH_FORMAT,
         load: vk::AttachmentLoadOp::CLEAR,
         initial_layout: vk::ImageLayout::UNDEFINED,
-        final_layout,
+        final_layout: None,
     }
 }
 
@@ -80,30 +80,26 @@ fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentD
 pub(crate) fn render_pass(
     gpu: &Gpu,
     name: &str,
-    color: Option<Attachment>,
+    color: Attachment,
     depth: Option<Attachment>,
     dependencies: &[vk::SubpassDependency],
 ) -> Result<RenderPass> {
     const COLOR: vk::ImageLayout = vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL;
     const DEPTH: vk::ImageLayout = vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
-    let attachments: Vec<_> = color
-        .into_iter()
-        .map(|color| description(color, COLOR))
-        .chain(depth.into_iter().map(|depth| description(depth, DEPTH)))
+    let attachments: Vec<_> = std::iter::once(description(color, COLOR))
+        .chain(depth.map(|depth| description(depth, DEPTH)))
         .collect();
     let colors = [vk::AttachmentReference {
         attachment: 0,
         layout: COLOR,
     }];
     let depths = vk::AttachmentReference {
-        attachment: u32::from(color.is_some()),
+        attachment: 1,
         layout: DEPTH,
     };
-    let mut subpass =
-        vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS);
-    if color.is_some() {
-        subpass = subpass.color_attachments(&colors);
-    }
+    let mut subpass = vk::SubpassDescription::default()
+        .pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS)
+        .color_attachments(&colors);
     if depth.is_some() {
         subpass = subpass.depth_stencil_attachment(&depths);
     }
@@ -136,16 +132,13 @@ pub(crate) enum Depth {
 pub(crate) struct Drawing<'a> {
     pub name: &'static str,
     pub vertex: &'static Module,
-    /// None draws depth only.
-    pub fragment: Option<&'static Module>,
+    pub fragment: &'static Module,
     /// Specialization constants, 0 upwards; a module need not have all of them.
     pub constants: &'a [u32],
     pub layout: vk::PipelineLayout,
     pub render_pass: vk::RenderPass,
-    /// None where the render pass has no colour.
-    pub blend: Option<vk::PipelineColorBlendAttachmentState>,
+    pub blend: vk::PipelineColorBlendAttachmentState,
     pub depth: Depth,
-    pub cull: vk::CullModeFlags,
 }
 
 /// Triangles, no vertex buffers, viewport and scissor set while recording.
@@ -159,10 +152,7 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
         });
     }
     let vertex = shader_module(gpu, drawing.vertex, false)?;
-    let fragment = drawing
-        .fragment
-        .map(|module| shader_module(gpu, module, false))
-        .transpose()?;
+    let fragment = shader_module(gpu, drawing.fragment, false)?;
     let entries = specialization_entries(drawing.constants);
     let specialization = vk::SpecializationInfo::default()
         .map_entries(&entries)
@@ -173,12 +163,10 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
             .module(module.raw());
         info.name(c"main").specialization_info(&specialization)
     };
-    let mut stages = vec![stage(vk::ShaderStageFlags::VERTEX, &vertex)];
-    stages.extend(
-        fragment
-            .iter()
-            .map(|module| stage(vk::ShaderStageFlags::FRAGMENT, module)),
-    );
+    let stages = [
+        stage(vk::ShaderStageFlags::VERTEX, &vertex),
+        stage(vk::ShaderStageFlags::FRAGMENT, &fragment),
+    ];
     let vertices = vk::PipelineVertexInputStateCreateInfo::default();
     let assembly = vk::PipelineInputAssemblyStateCreateInfo::default()
         .topology(vk::PrimitiveTopology::TRIANGLE_LIST);
@@ -186,8 +174,7 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
         .viewport_count(1)
         .scissor_count(1);
     let rasterization = vk::PipelineRasterizationStateCreateInfo::default()
-        .cull_mode(drawing.cull)
-        .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .cull_mode(vk::CullModeFlags::NONE)
         .line_width(1.0);
     let samples = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
@@ -195,11 +182,9 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
         .depth_test_enable(drawing.depth != Depth::Without)
         .depth_write_enable(drawing.depth == Depth::Write)
         .depth_compare_op(vk::CompareOp::LESS_OR_EQUAL);
-    let attachments: Vec<_> = drawing
+    let attachments = [drawing
         .blend
-        .iter()
-        .map(|blend| blend.color_write_mask(vk::ColorComponentFlags::RGBA))
-        .collect();
+        .color_write_mask(vk::ColorComponentFlags::RGBA)];
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
     let dynamic = vk::PipelineDynamicStateCreateInfo::default()
         .dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
@@ -216,9 +201,7 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
         .dynamic_state(&dynamic)
         .layout(drawing.layout)
         .render_pass(drawing.render_pass);
-    let modules: Vec<_> = std::iter::once(drawing.vertex)
-        .chain(drawing.fragment)
-        .collect();
+    let modules = [drawing.vertex, drawing.fragment];
     let constants = list(drawing.constants);
     let files: Vec<_> = modules.iter().map(|module| module.file).collect();
     tracing::debug!("compiling {} [{constants}]", files.join("+"));

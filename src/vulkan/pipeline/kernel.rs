@@ -71,15 +71,14 @@ impl Kernel {
         Ok(())
     }
 
-    /// Sets the image of a kernel that has one.
+    /// Sets the image of a kernel that writes one.
     ///
     /// # Safety
-    /// No submitted work may use the kernel. The image must be in
-    /// [`super::BoundImage::layout`] when the kernel runs, and it and the sampler, which a written
-    /// image has none of, must outlive that.
-    pub unsafe fn set_image(&self, sampler: vk::Sampler, image_view: vk::ImageView) {
+    /// No submitted work may use the kernel. The image must be in the layout `GENERAL` when the
+    /// kernel runs, and outlive that.
+    pub unsafe fn set_image(&self, image_view: vk::ImageView) {
         // SAFETY: the caller promises what the function asks for.
-        unsafe { self.bindings.set_image(sampler, image_view) };
+        unsafe { self.bindings.set_image(vk::Sampler::null(), image_view) };
     }
 
     /// Binds the one buffer wherever the other was bound.

@@ -313,8 +313,8 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<Ren
     graphics::render_pass(
         gpu,
         "raster",
-        Some(color),
-        depth_tested.then(|| graphics::depth(None)),
+        color,
+        depth_tested.then(graphics::depth),
         &dependencies,
     )
 }
@@ -344,16 +344,15 @@ fn pipeline(
     let drawing = Drawing {
         name: "raster",
         vertex: &shaders::QUADS_VERTEX,
-        fragment: Some(&shaders::QUADS_FRAGMENT),
+        fragment: &shaders::QUADS_FRAGMENT,
         constants: &constants,
         layout,
         render_pass: render_pass.raw(),
-        blend: Some(graphics::over()),
+        blend: graphics::over(),
         depth: match saturation {
             Some(_) => Depth::Test,
             None => Depth::Without,
         },
-        cull: vk::CullModeFlags::NONE,
     };
     graphics::pipeline(gpu, drawing)
 }

@@ -199,7 +199,7 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, load: vk::AttachmentLoadOp) -> Re
         initial_layout: FINAL_LAYOUT,
         final_layout: Some(FINAL_LAYOUT),
     };
-    graphics::render_pass(gpu, "resolve", Some(color), None, &dependencies)
+    graphics::render_pass(gpu, "resolve", color, None, &dependencies)
 }
 
 fn pipeline(
@@ -211,13 +211,12 @@ fn pipeline(
     let drawing = Drawing {
         name: "resolve",
         vertex: &shaders::PRESENT_VERTEX,
-        fragment: Some(&shaders::RESOLVE_FRAGMENT),
+        fragment: &shaders::RESOLVE_FRAGMENT,
         constants: &[],
         layout,
         render_pass: render_pass.raw(),
-        blend: Some(blend),
+        blend,
         depth: Depth::Without,
-        cull: vk::CullModeFlags::NONE,
     };
     graphics::pipeline(gpu, drawing)
 }

@@ -86,7 +86,7 @@ impl Saturation {
         // layout that both expect, and image and sampler live as long as they, or until they get
         // another.
         unsafe {
-            self.kernel.set_image(vk::Sampler::null(), view);
+            self.kernel.set_image(view);
             let sampler = self.depth.sampler.raw();
             self.depth.bindings.set_image(sampler, view);
         }
@@ -220,13 +220,12 @@ impl SaturationDepth {
         let drawing = Drawing {
             name: "saturation depth",
             vertex: &shaders::PRESENT_VERTEX,
-            fragment: Some(&shaders::SATURATION_DEPTH),
+            fragment: &shaders::SATURATION_DEPTH,
             constants: &[],
             layout: bindings.layout(),
             render_pass: render_pass.raw(),
-            blend: Some(replace),
+            blend: replace,
             depth: Depth::Write,
-            cull: vk::CullModeFlags::NONE,
         };
         Ok(Self {
             pipeline: graphics::pipeline(gpu, drawing)?,

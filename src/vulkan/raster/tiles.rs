@@ -66,7 +66,7 @@ impl TileTarget {
         let kernel = Kernel::new(gpu, module, &constants, resources, launch(gpu, kernel))?;
         // SAFETY: nothing uses the kernel yet; `record` has the image in the layout that it writes,
         // and the image lives as long as the kernel, or until it gets another.
-        unsafe { kernel.set_image(vk::Sampler::null(), image.view()) };
+        unsafe { kernel.set_image(image.view()) };
         Ok(Self { kernel, image })
     }
 }
@@ -124,11 +124,7 @@ impl Tiles {
         // SAFETY: no work uses the kernel, as the caller promises; `record` has the image in the
         // layout that it writes, and the image lives as long as the kernel, or until it gets
         // another.
-        unsafe {
-            self.target
-                .kernel
-                .set_image(vk::Sampler::null(), image.view())
-        };
+        unsafe { self.target.kernel.set_image(image.view()) };
         self.target.image = image;
         self.drawn = size;
         Ok(())

@@ -115,8 +115,8 @@ impl Fill {
             initial_layout: vk::ImageLayout::UNDEFINED,
             final_layout: Some(FINAL_LAYOUT),
         };
-        let depth_attachment = depth.is_some().then(|| graphics::depth(None));
-        let render_pass = graphics::render_pass(gpu, "fill", Some(color), depth_attachment, &[])?;
+        let depth_attachment = depth.is_some().then(graphics::depth);
+        let render_pass = graphics::render_pass(gpu, "fill", color, depth_attachment, &[])?;
         let bindings = Bindings::new(
             gpu,
             "fill",
@@ -134,7 +134,7 @@ impl Fill {
         let drawing = Drawing {
             name: "fill",
             vertex: &shaders::RATES_FILL_VERTEX,
-            fragment: Some(&shaders::RATES_FILL_FRAGMENT),
+            fragment: &shaders::RATES_FILL_FRAGMENT,
             constants: &[
                 columns,
                 rows,
@@ -145,13 +145,12 @@ impl Fill {
             ],
             layout: bindings.layout(),
             render_pass: render_pass.raw(),
-            blend: Some(blend(filling)),
+            blend: blend(filling),
             depth: if filling.blended {
                 Depth::Without
             } else {
                 Depth::Write
             },
-            cull: vk::CullModeFlags::NONE,
         };
         Ok(Self {
             gpu: gpu.clone(),

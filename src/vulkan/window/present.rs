@@ -178,7 +178,7 @@ fn render_pass(gpu: &Gpu, format: vk::Format, layout: vk::ImageLayout) -> Result
         initial_layout: vk::ImageLayout::UNDEFINED,
         final_layout: Some(layout),
     };
-    graphics::render_pass(gpu, "present", Some(attachment), None, &dependencies)
+    graphics::render_pass(gpu, "present", attachment, None, &dependencies)
 }
 
 fn pipeline(
@@ -189,13 +189,12 @@ fn pipeline(
     let drawing = Drawing {
         name: "present",
         vertex: &shaders::PRESENT_VERTEX,
-        fragment: Some(&shaders::PRESENT_FRAGMENT),
+        fragment: &shaders::PRESENT_FRAGMENT,
         constants: &[],
         layout,
         render_pass: render_pass.raw(),
-        blend: Some(vk::PipelineColorBlendAttachmentState::default()),
+        blend: vk::PipelineColorBlendAttachmentState::default(),
         depth: Depth::Without,
-        cull: vk::CullModeFlags::NONE,
     };
     graphics::pipeline(gpu, drawing)
 }
