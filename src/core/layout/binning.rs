@@ -62,11 +62,11 @@ impl Tiling {
     }
 
     /// Shared list blocks that suffice where splats are those of bodies: with tiles of 16 px one of
-    /// 200,000 Gaussians and 2000 px asks for 92,000, four of them for 219,000. The most where that
-    /// is hardly more.
+    /// 200,000 Gaussians and 2000 px asks for up to 111,000, four of them for 261,000. The most where
+    /// that is hardly more.
     pub fn few_blocks(self, capacity: u32) -> u32 {
         let most = self.most_blocks(capacity);
-        let few = 4096 + capacity / 4 + (capacity / 2).min(80_000);
+        let few = 4096 + capacity / 4 + (capacity / 2).min(160_000);
         if most.saturating_sub(few) < BLOCKS_WORTH {
             most
         } else {
@@ -112,8 +112,8 @@ mod tests {
     fn blocks_are_few_where_frames_ask_for_few() {
         let [few, most] = [TILING.few_blocks(200_000), TILING.most_blocks(200_000)];
         let other = |blocks, asked| TILING.other_blocks(200_000, blocks, asked);
-        assert_eq!(other(most, 92_000), Some(few));
-        assert_eq!(other(few, 92_000), None);
+        assert_eq!(other(most, 111_000), Some(few));
+        assert_eq!(other(few, 111_000), None);
         assert_eq!(other(few, few), Some(most));
         // Between the two nothing swings.
         assert_eq!(other(most, few / 8 * 7), None);
@@ -121,7 +121,7 @@ mod tests {
         assert_eq!(other(most, u32::MAX), None);
         assert_eq!(TILING.few_blocks(5000), TILING.most_blocks(5000));
         // Four bodies.
-        assert!(TILING.few_blocks(800_000) / 8 * 7 > 219_000);
+        assert!(TILING.few_blocks(800_000) / 4 * 3 > 261_000);
     }
 
     #[test]
