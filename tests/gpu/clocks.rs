@@ -20,8 +20,9 @@ const LEAST_OF_WALL: f64 = 0.9;
 const LEAST_OF_WALL_RECORDED: f64 = 0.75;
 /// Most of the wall time that the stages of any frame may add up to.
 const MOST_OF_WALL: f64 = 1.01;
-/// Least part of a frame's sum that the projection of all Gaussians takes on these drivers.
-const LEAST_OF_PROJECT: f64 = 0.03;
+/// Least part of a frame's sum that the projection of all Gaussians takes on these drivers. Beside
+/// quads it is 0.024 to 0.047 on busy cores; booked to another stage it was 0.0002.
+const LEAST_OF_PROJECT: f64 = 0.01;
 const FRAMES: usize = 6;
 const SIZE: [u32; 2] = [640, 640];
 
