@@ -447,8 +447,10 @@ fn bench_finds_the_worst_of_many_poses_and_views() {
     let (said, default) = spread("--spread 3");
     assert!(said.contains("spread: 6 views of 160 × 160"), "{said}");
     assert_eq!(default["views"], 6);
-    let worst = default["worst"]["psnr_db"].as_f64().unwrap();
-    assert!(worst > 40.0 && worst <= default["mean_db"].as_f64().unwrap());
+    // No number: no pixel differs from what is drawn where nothing is skipped.
+    let [worst, mean] = [&default["worst"]["psnr_db"], &default["mean_db"]]
+        .map(|db| db.as_f64().unwrap_or(f64::INFINITY));
+    assert!(worst > 40.0 && worst <= mean);
     assert_eq!(default["worst"]["clip"], "test clip 6");
     // Colours that are rounded, contributions that are cut, fewer Gaussians: `low` shows.
     let (_, low) = spread("--spread 3 --preset low");
