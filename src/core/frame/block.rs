@@ -30,7 +30,7 @@ impl PoseLayout {
         }
     }
 
-    /// Where a vector of zeros is, behind all avatars: the displacement of nodes that nothing moves.
+    /// Where a vector of zeros is, behind all avatars: how far nodes move that nothing moves.
     pub fn zeros(&self) -> u32 {
         self.avatars * self.vectors
     }

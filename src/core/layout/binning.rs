@@ -62,8 +62,8 @@ impl Tiling {
     }
 
     /// Shared list blocks that suffice where splats are those of bodies: with tiles of 16 px one of
-    /// 200,000 Gaussians and 2000 px asks for up to 111,000, four of them for 261,000. The most where
-    /// that is hardly more.
+    /// 200,000 Gaussians and 2000 px asks for up to 111,000, four of them for 261,000. The most
+    /// where that is hardly more.
     pub fn few_blocks(self, capacity: u32) -> u32 {
         let most = self.most_blocks(capacity);
         let few = 4096 + capacity / 4 + (capacity / 2).min(160_000);
