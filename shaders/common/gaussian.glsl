@@ -3,7 +3,8 @@
 //
 //   two a Gaussian           x y | z, log scales 0..16 | four joints | three weights, log scales
 //                            16..24
-//   one a Gaussian           nodes a b | node c, shares (5 bits each), log scales 24..30
+//   one a Gaussian           nodes a b, first share 5.. | node c, first share 0..5, second share, log
+//                            scales 24..30; nodes have node_bits() bits, and shares the rest
 //   one a Gaussian           quaternion | RGB, opacity
 //   four for 32 Gaussians    masks of those that have a basis row of rotation | scale | colour,
 //                            number of earlier rows of rotation | scale | colour, first and last
@@ -35,14 +36,25 @@ vec3 gaussian_log_scale(uvec2 position, uvec2 skin, uvec2 near) {
     return frame.log_scale_min + frame.log_scale_step * steps;
 }
 
+// Bits of a node's index (layout::compact::NodeBits).
+uint node_bits() {
+    return uint(findMSB(max(frame.nodes, 1u << NODE_BITS_MIN) - 1u)) + 1u;
+}
+
 // The nodes that move it, by falling weight, and their weights. Stored are the first's share of
 // what exceeds a third, and the second's share of what exceeds half of the rest.
 uvec3 gaussian_nodes(uvec2 words) {
-    return uvec3(words.x & 0xffffu, words.x >> 16u, words.y & 0xffffu);
+    uint bits = node_bits(), mask = (1u << bits) - 1u;
+    return uvec3(words.x, words.x >> bits, words.y) & mask;
 }
 
 vec3 gaussian_node_weights(uvec2 words) {
-    vec2 share = vec2(words.y >> 16u & 31u, words.y >> 21u & 31u) / NODE_STEPS;
+    uint bits = node_bits(), spare = 16u - bits;
+    // Shifted twice: 32 at once would be undefined.
+    uint high = words.x >> 16u >> (2u * bits - 16u);
+    uvec2 steps = uvec2(32u << 2u * spare, 32u << spare) - 1u;
+    uvec2 codes = uvec2(high << 5u | words.y >> bits & 31u, words.y >> bits + 5u & steps.y);
+    vec2 share = vec2(codes) / vec2(steps);
     float first = (1.0 + 2.0 * share.x) / 3.0;
     float second = (1.0 - first) * (0.5 + 0.5 * share.y);
     return vec3(first, second, 1.0 - first - second);

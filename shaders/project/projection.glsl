@@ -1,6 +1,7 @@
 // From a Gaussian in the camera's space to a splat and its key: culling and projection (model.md,
-// step 8). The including shader declares `words`, the splats' buffer: four words a Gaussian, then from frame.key_start on the keys, two a word if
-// frame.half_keys is set, then from frame.count_start on the sort's first counts.
+// step 8). The including shader declares `words`, the splats' buffer: four words a Gaussian, then
+// from frame.key_start on the keys, two a word if frame.half_keys is set, then from
+// frame.count_start on the sort's first counts.
 #ifdef WEB
 // In WGSL all accesses to an array with atomics are atomic, so the counts have a buffer of their
 // own.

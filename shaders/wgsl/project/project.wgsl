@@ -136,521 +136,527 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_4526_: u32;
-    var phi_4525_: bool;
-    var phi_2792_: bool;
+    var phi_4639_: u32;
+    var phi_4638_: bool;
+    var phi_2845_: bool;
     var local: bool;
-    var phi_3194_: bool;
-    var phi_4528_: f32;
-    var phi_4529_: f32;
-    var phi_4537_: f32;
-    var phi_4531_: vec2<f32>;
-    var phi_4530_: bool;
-    var phi_4541_: vec4<f32>;
-    var phi_4542_: vec4<f32>;
-    var phi_4543_: vec4<f32>;
-    var phi_4555_: vec3<f32>;
-    var phi_4557_: vec4<f32>;
-    var phi_4556_: u32;
+    var phi_3305_: bool;
+    var phi_4641_: f32;
+    var phi_4642_: f32;
+    var phi_4650_: f32;
+    var phi_4644_: vec2<f32>;
+    var phi_4643_: bool;
+    var phi_4654_: vec4<f32>;
+    var phi_4655_: vec4<f32>;
+    var phi_4656_: vec4<f32>;
+    var phi_4668_: vec3<f32>;
+    var phi_4670_: vec4<f32>;
+    var phi_4669_: u32;
     var local_1: vec4<f32>;
-    var phi_4572_: vec4<f32>;
-    var phi_4560_: vec3<f32>;
-    var phi_4559_: u32;
+    var phi_4685_: vec4<f32>;
+    var phi_4673_: vec3<f32>;
+    var phi_4672_: u32;
     var local_2: vec3<f32>;
-    var phi_4576_: vec3<f32>;
-    var phi_4569_: vec3<f32>;
-    var phi_4568_: u32;
+    var phi_4689_: vec3<f32>;
+    var phi_4682_: vec3<f32>;
+    var phi_4681_: u32;
     var local_3: vec3<f32>;
-    var phi_4578_: vec3<f32>;
-    var phi_4012_: bool;
-    var phi_4018_: bool;
-    var phi_4583_: f32;
-    var phi_4582_: u32;
+    var phi_4691_: vec3<f32>;
+    var phi_4123_: bool;
+    var phi_4129_: bool;
+    var phi_4696_: f32;
+    var phi_4695_: u32;
     var local_4: f32;
-    var phi_4591_: u32;
-    var phi_4096_: bool;
-    var phi_4595_: vec2<f32>;
-    var phi_4596_: vec2<f32>;
-    var phi_4597_: u32;
-    var phi_4598_: u32;
-    var phi_4599_: u32;
+    var phi_4704_: u32;
+    var phi_4207_: bool;
+    var phi_4708_: vec2<f32>;
+    var phi_4709_: vec2<f32>;
+    var phi_4710_: u32;
+    var phi_4711_: u32;
+    var phi_4712_: u32;
 
-    let _e63 = bitcast<u32>(param_1[0u]);
-    let _e65 = global.member_44;
-    let _e66 = (_e63 < _e65);
-    if _e66 {
+    let _e66 = bitcast<u32>(param_1[0u]);
+    let _e68 = global.member_44;
+    let _e69 = (_e66 < _e68);
+    if _e69 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e69 = global.member_14;
-                let _e71 = global.member_43;
-                let _e73 = (_e63 << bitcast<u32>(_e71));
-                let _e77 = (4u * (_e69 + (_e73 >> bitcast<u32>(5u))));
-                let _e82 = global_7.member[(_e77 + 3u)][0u];
-                phi_4526_ = (_e82 & 65535u);
-                phi_4525_ = true;
+                let _e72 = global.member_14;
+                let _e74 = global.member_43;
+                let _e76 = (_e66 << bitcast<u32>(_e74));
+                let _e80 = (4u * (_e72 + (_e76 >> bitcast<u32>(5u))));
+                let _e85 = global_7.member[(_e80 + 3u)][0u];
+                phi_4639_ = (_e85 & 65535u);
+                phi_4638_ = true;
                 loop {
-                    let _e85 = phi_4526_;
-                    let _e87 = phi_4525_;
-                    local = _e87;
-                    phi_2792_ = _e87;
-                    if _e87 {
-                        phi_2792_ = (_e85 <= (_e82 >> bitcast<u32>(16u)));
+                    let _e88 = phi_4639_;
+                    let _e90 = phi_4638_;
+                    local = _e90;
+                    phi_2845_ = _e90;
+                    if _e90 {
+                        phi_2845_ = (_e88 <= (_e85 >> bitcast<u32>(16u)));
                     }
-                    let _e92 = phi_2792_;
-                    if _e92 {
+                    let _e95 = phi_2845_;
+                    if _e95 {
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e101 = global.member_55[(_e85 >> bitcast<u32>(7u))][((_e85 >> bitcast<u32>(5u)) & 3u)];
-                        phi_4526_ = (_e85 + bitcast<u32>(1i));
-                        phi_4525_ = (((_e101 >> bitcast<u32>((_e85 & 31u))) & 1u) != 0u);
+                        let _e104 = global.member_55[(_e88 >> bitcast<u32>(7u))][((_e88 >> bitcast<u32>(5u)) & 3u)];
+                        phi_4639_ = (_e88 + bitcast<u32>(1i));
+                        phi_4638_ = (((_e104 >> bitcast<u32>((_e88 & 31u))) & 1u) != 0u);
                     }
                 }
-                let _e110 = local;
-                if _e110 {
-                    let _e112 = global_3.member_9;
-                    if (_e112 != 0u) {
-                        let _e116 = atomicAdd((&global_2.member[0u]), 1u);
+                let _e113 = local;
+                if _e113 {
+                    let _e115 = global_3.member_9;
+                    if (_e115 != 0u) {
+                        let _e119 = atomicAdd((&global_2.member[0u]), 1u);
                     }
-                    phi_4598_ = 4294967295u;
+                    phi_4711_ = 4294967295u;
                     break;
                 }
-                let _e117 = (2u * _e73);
-                let _e120 = global_7.member[_e117];
-                let _e124 = global_7.member[(_e117 + 1u)];
-                let _e129 = global_7.member[((2u * _e69) + _e73)];
-                let _e140 = (vec2<f32>(f32(((_e129.y >> bitcast<u32>(16u)) & 31u)), f32(((_e129.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e144 = ((1f + (2f * _e140.x)) * 0.33333334f);
-                let _e145 = (1f - _e144);
-                let _e149 = (_e145 * (0.5f + (0.5f * _e140.y)));
-                let _e167 = global.member_11;
-                let _e170 = global.member_12;
-                let _e175 = global.member_21;
-                let _e176 = (2u * _e175);
-                let _e180 = global_1.member[(_e176 + (_e129.x & 65535u))];
-                let _e182 = unpack2x16float(_e180.x);
-                let _e194 = global_1.member[(_e176 + (_e129.x >> bitcast<u32>(16u)))];
-                let _e196 = unpack2x16float(_e194.x);
-                let _e208 = global_1.member[(_e176 + (_e129.y & 65535u))];
-                let _e210 = unpack2x16float(_e208.x);
-                let _e218 = ((((_e167.xyz + (_e170.xyz * vec3<f32>(f32((_e120.x & 65535u)), f32((_e120.x >> bitcast<u32>(16u))), f32((_e120.y & 65535u))))) + (vec3<f32>(_e182.x, _e182.y, unpack2x16float(_e180.y).x) * _e144)) + (vec3<f32>(_e196.x, _e196.y, unpack2x16float(_e194.y).x) * _e149)) + (vec3<f32>(_e210.x, _e210.y, unpack2x16float(_e208.y).x) * (_e145 - _e149)));
-                let _e222 = vec4<f32>(_e218.x, _e218.y, _e218.z, 1f);
-                let _e235 = (((_e120.y >> bitcast<u32>(16u)) | ((_e124.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e129.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e247 = global.member_32;
-                let _e249 = global.member_33;
-                let _e252 = (vec3(_e247) + (vec3<f32>(f32((_e235 & 1023u)), f32(((_e235 >> bitcast<u32>(10u)) & 1023u)), f32((_e235 >> bitcast<u32>(20u)))) * _e249));
-                let _e261 = (vec4<u32>(_e124.x, (_e124.x >> bitcast<u32>(8u)), (_e124.x >> bitcast<u32>(16u)), (_e124.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e267 = (vec3<u32>(_e124.y, (_e124.y >> bitcast<u32>(8u)), (_e124.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e268 = vec3<f32>(_e267);
-                let _e280 = (vec4<f32>(_e268.x, _e268.y, _e268.z, f32((((255u - _e267.x) - _e267.y) - _e267.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e283 = (3u * _e261.x);
-                let _e286 = global.member_58[_e283];
-                let _e291 = global.member_58[(_e283 + 1u)];
-                let _e296 = global.member_58[(_e283 + 2u)];
-                let _e300 = (3u * _e261.y);
-                let _e303 = global.member_58[_e300];
-                let _e309 = global.member_58[(_e300 + 1u)];
-                let _e315 = global.member_58[(_e300 + 2u)];
-                let _e320 = (3u * _e261.z);
-                let _e323 = global.member_58[_e320];
-                let _e329 = global.member_58[(_e320 + 1u)];
-                let _e335 = global.member_58[(_e320 + 2u)];
-                let _e340 = (3u * _e261.w);
-                let _e343 = global.member_58[_e340];
-                let _e345 = ((((_e286 * _e280.x) + (_e303 * _e280.y)) + (_e323 * _e280.z)) + (_e343 * _e280.w));
-                let _e349 = global.member_58[(_e340 + 1u)];
-                let _e351 = ((((_e291 * _e280.x) + (_e309 * _e280.y)) + (_e329 * _e280.z)) + (_e349 * _e280.w));
-                let _e355 = global.member_58[(_e340 + 2u)];
-                let _e357 = ((((_e296 * _e280.x) + (_e315 * _e280.y)) + (_e335 * _e280.z)) + (_e355 * _e280.w));
-                let _e360 = dot(_e357, _e222);
-                let _e361 = vec3<f32>(dot(_e345, _e222), dot(_e351, _e222), _e360);
-                let _e373 = vec3<f32>(_e357.x, _e357.y, _e357.z);
+                let _e120 = (2u * _e76);
+                let _e123 = global_7.member[_e120];
+                let _e127 = global_7.member[(_e120 + 1u)];
+                let _e132 = global_7.member[((2u * _e72) + _e76)];
+                let _e134 = global.member_15;
+                let _e138 = bitcast<u32>(firstLeadingBit((max(_e134, 4096u) - 1u)));
+                let _e139 = (_e138 + 1u);
+                let _e140 = (15u - _e138);
+                let _e154 = (vec2<u32>((32u << bitcast<u32>((2u * _e140))), (32u << bitcast<u32>(_e140))) - vec2<u32>(1u, 1u));
+                let _e170 = (vec2<f32>(vec2<u32>(((((_e132.x >> bitcast<u32>(16u)) >> bitcast<u32>(((2u * _e139) - 16u))) << bitcast<u32>(5u)) | ((_e132.y >> bitcast<u32>(_e139)) & 31u)), ((_e132.y >> bitcast<u32>((_e138 + 6u))) & _e154.y))) / vec2<f32>(_e154));
+                let _e174 = ((1f + (2f * _e170.x)) * 0.33333334f);
+                let _e175 = (1f - _e174);
+                let _e179 = (_e175 * (0.5f + (0.5f * _e170.y)));
+                let _e188 = (vec3<u32>(_e132.x, (_e132.x >> bitcast<u32>(_e139)), _e132.y) & vec3(((1u << bitcast<u32>(_e139)) - 1u)));
+                let _e200 = global.member_11;
+                let _e203 = global.member_12;
+                let _e209 = global.member_21;
+                let _e210 = (2u * _e209);
+                let _e214 = global_1.member[(_e210 + _e188.x)];
+                let _e216 = unpack2x16float(_e214.x);
+                let _e229 = global_1.member[(_e210 + _e188.y)];
+                let _e231 = unpack2x16float(_e229.x);
+                let _e244 = global_1.member[(_e210 + _e188.z)];
+                let _e246 = unpack2x16float(_e244.x);
+                let _e254 = ((((_e200.xyz + (_e203.xyz * vec3<f32>(f32((_e123.x & 65535u)), f32((_e123.x >> bitcast<u32>(16u))), f32((_e123.y & 65535u))))) + (vec3<f32>(_e216.x, _e216.y, unpack2x16float(_e214.y).x) * _e174)) + (vec3<f32>(_e231.x, _e231.y, unpack2x16float(_e229.y).x) * _e179)) + (vec3<f32>(_e246.x, _e246.y, unpack2x16float(_e244.y).x) * (_e175 - _e179)));
+                let _e258 = vec4<f32>(_e254.x, _e254.y, _e254.z, 1f);
+                let _e271 = (((_e123.y >> bitcast<u32>(16u)) | ((_e127.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e132.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e283 = global.member_32;
+                let _e285 = global.member_33;
+                let _e288 = (vec3(_e283) + (vec3<f32>(f32((_e271 & 1023u)), f32(((_e271 >> bitcast<u32>(10u)) & 1023u)), f32((_e271 >> bitcast<u32>(20u)))) * _e285));
+                let _e297 = (vec4<u32>(_e127.x, (_e127.x >> bitcast<u32>(8u)), (_e127.x >> bitcast<u32>(16u)), (_e127.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e303 = (vec3<u32>(_e127.y, (_e127.y >> bitcast<u32>(8u)), (_e127.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e304 = vec3<f32>(_e303);
+                let _e316 = (vec4<f32>(_e304.x, _e304.y, _e304.z, f32((((255u - _e303.x) - _e303.y) - _e303.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e319 = (3u * _e297.x);
+                let _e322 = global.member_58[_e319];
+                let _e327 = global.member_58[(_e319 + 1u)];
+                let _e332 = global.member_58[(_e319 + 2u)];
+                let _e336 = (3u * _e297.y);
+                let _e339 = global.member_58[_e336];
+                let _e345 = global.member_58[(_e336 + 1u)];
+                let _e351 = global.member_58[(_e336 + 2u)];
+                let _e356 = (3u * _e297.z);
+                let _e359 = global.member_58[_e356];
+                let _e365 = global.member_58[(_e356 + 1u)];
+                let _e371 = global.member_58[(_e356 + 2u)];
+                let _e376 = (3u * _e297.w);
+                let _e379 = global.member_58[_e376];
+                let _e381 = ((((_e322 * _e316.x) + (_e339 * _e316.y)) + (_e359 * _e316.z)) + (_e379 * _e316.w));
+                let _e385 = global.member_58[(_e376 + 1u)];
+                let _e387 = ((((_e327 * _e316.x) + (_e345 * _e316.y)) + (_e365 * _e316.z)) + (_e385 * _e316.w));
+                let _e391 = global.member_58[(_e376 + 2u)];
+                let _e393 = ((((_e332 * _e316.x) + (_e351 * _e316.y)) + (_e371 * _e316.z)) + (_e391 * _e316.w));
+                let _e396 = dot(_e393, _e258);
+                let _e397 = vec3<f32>(dot(_e381, _e258), dot(_e387, _e258), _e396);
+                let _e409 = vec3<f32>(_e393.x, _e393.y, _e393.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e376 = global.member_6;
-                        if !((_e360 >= _e376)) {
-                            let _e380 = global_3.member_9;
-                            if (_e380 != 0u) {
-                                let _e384 = atomicAdd((&global_2.member[0u]), 1u);
+                        let _e412 = global.member_6;
+                        if !((_e396 >= _e412)) {
+                            let _e416 = global_3.member_9;
+                            if (_e416 != 0u) {
+                                let _e420 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_4537_ = 0f;
-                            phi_4531_ = vec2<f32>(0f, 0f);
-                            phi_4530_ = false;
+                            phi_4650_ = 0f;
+                            phi_4644_ = vec2<f32>(0f, 0f);
+                            phi_4643_ = false;
                             break;
                         }
-                        let _e386 = global.member;
-                        let _e392 = global.member_1;
-                        let _e393 = (((_e386 * _e361.xy) / vec2(_e360)) + _e392);
-                        let _e395 = global.member_5;
-                        let _e399 = all((_e393 >= vec2(-(_e395))));
-                        phi_3194_ = _e399;
-                        if _e399 {
-                            let _e401 = global.member_4;
-                            phi_3194_ = all((_e393 <= (_e401 + vec2(_e395))));
+                        let _e422 = global.member;
+                        let _e428 = global.member_1;
+                        let _e429 = (((_e422 * _e397.xy) / vec2(_e396)) + _e428);
+                        let _e431 = global.member_5;
+                        let _e435 = all((_e429 >= vec2(-(_e431))));
+                        phi_3305_ = _e435;
+                        if _e435 {
+                            let _e437 = global.member_4;
+                            phi_3305_ = all((_e429 <= (_e437 + vec2(_e431))));
                         }
-                        let _e407 = phi_3194_;
-                        if !(_e407) {
-                            let _e410 = global_3.member_9;
-                            if (_e410 != 0u) {
-                                let _e414 = atomicAdd((&global_2.member[0u]), 1u);
+                        let _e443 = phi_3305_;
+                        if !(_e443) {
+                            let _e446 = global_3.member_9;
+                            if (_e446 != 0u) {
+                                let _e450 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_4537_ = 0f;
-                            phi_4531_ = _e393;
-                            phi_4530_ = false;
+                            phi_4650_ = 0f;
+                            phi_4644_ = _e429;
+                            phi_4643_ = false;
                             break;
                         }
-                        let _e416 = global.member_7;
-                        let _e419 = global.member_8;
-                        let _e420 = ((_e416 - _e360) * _e419);
-                        if (_e420 < 0f) {
-                            phi_4529_ = (0.015625f / (1f - _e420));
+                        let _e452 = global.member_7;
+                        let _e455 = global.member_8;
+                        let _e456 = ((_e452 - _e396) * _e455);
+                        if (_e456 < 0f) {
+                            phi_4642_ = (0.015625f / (1f - _e456));
                         } else {
-                            if (_e420 > 1f) {
-                                phi_4528_ = (1f - (0.015625f / _e420));
+                            if (_e456 > 1f) {
+                                phi_4641_ = (1f - (0.015625f / _e456));
                             } else {
-                                phi_4528_ = (0.015625f + (0.96875f * clamp(_e420, 0f, 1f)));
+                                phi_4641_ = (0.015625f + (0.96875f * clamp(_e456, 0f, 1f)));
                             }
-                            let _e429 = phi_4528_;
-                            phi_4529_ = _e429;
+                            let _e465 = phi_4641_;
+                            phi_4642_ = _e465;
                         }
-                        let _e433 = phi_4529_;
-                        phi_4537_ = _e433;
-                        phi_4531_ = _e393;
-                        phi_4530_ = true;
+                        let _e469 = phi_4642_;
+                        phi_4650_ = _e469;
+                        phi_4644_ = _e429;
+                        phi_4643_ = true;
                         break;
                     }
                 }
-                let _e435 = phi_4537_;
-                let _e437 = phi_4531_;
-                let _e439 = phi_4530_;
-                if (true && !(_e439)) {
-                    phi_4598_ = 4294967295u;
+                let _e471 = phi_4650_;
+                let _e473 = phi_4644_;
+                let _e475 = phi_4643_;
+                if (true && !(_e475)) {
+                    phi_4711_ = 4294967295u;
                     break;
                 }
-                let _e446 = global_7.member[((3u * _e69) + _e73)];
-                let _e450 = f32((_e446.y >> bitcast<u32>(24u)));
-                let _e452 = global.member_29;
-                if (_e450 <= _e452) {
-                    let _e455 = global_3.member_9;
-                    if (_e455 != 0u) {
-                        let _e459 = atomicAdd((&global_2.member[1u]), 1u);
+                let _e482 = global_7.member[((3u * _e72) + _e76)];
+                let _e486 = f32((_e482.y >> bitcast<u32>(24u)));
+                let _e488 = global.member_29;
+                if (_e486 <= _e488) {
+                    let _e491 = global_3.member_9;
+                    if (_e491 != 0u) {
+                        let _e495 = atomicAdd((&global_2.member[1u]), 1u);
                     }
-                    phi_4598_ = 4294967295u;
+                    phi_4711_ = 4294967295u;
                     break;
                 }
-                let _e473 = ((vec3<f32>(f32((_e446.x & 1023u)), f32(((_e446.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e446.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e477 = sqrt(max((1f - dot(_e473, _e473)), 0f));
-                let _e479 = (_e446.x >> bitcast<u32>(30u));
-                if (_e479 == 0u) {
-                    phi_4543_ = vec4<f32>(_e477, _e473.x, _e473.y, _e473.z);
+                let _e509 = ((vec3<f32>(f32((_e482.x & 1023u)), f32(((_e482.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e482.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e513 = sqrt(max((1f - dot(_e509, _e509)), 0f));
+                let _e515 = (_e482.x >> bitcast<u32>(30u));
+                if (_e515 == 0u) {
+                    phi_4656_ = vec4<f32>(_e513, _e509.x, _e509.y, _e509.z);
                 } else {
-                    if (_e479 == 1u) {
-                        phi_4542_ = vec4<f32>(_e473.x, _e477, _e473.y, _e473.z);
+                    if (_e515 == 1u) {
+                        phi_4655_ = vec4<f32>(_e509.x, _e513, _e509.y, _e509.z);
                     } else {
-                        if (_e479 == 2u) {
-                            phi_4541_ = vec4<f32>(_e473.x, _e473.y, _e477, _e473.z);
+                        if (_e515 == 2u) {
+                            phi_4654_ = vec4<f32>(_e509.x, _e509.y, _e513, _e509.z);
                         } else {
-                            phi_4541_ = vec4<f32>(_e473.x, _e473.y, _e473.z, _e477);
+                            phi_4654_ = vec4<f32>(_e509.x, _e509.y, _e509.z, _e513);
                         }
-                        let _e492 = phi_4541_;
-                        phi_4542_ = _e492;
+                        let _e528 = phi_4654_;
+                        phi_4655_ = _e528;
                     }
-                    let _e498 = phi_4542_;
-                    phi_4543_ = _e498;
+                    let _e534 = phi_4655_;
+                    phi_4656_ = _e534;
                 }
-                let _e504 = phi_4543_;
-                let _e508 = global.member_34;
-                let _e509 = (_e508 > 0u);
-                phi_4555_ = unpack4x8unorm(_e446.y).xyz;
-                if _e509 {
-                    let _e513 = global_7.member[(_e508 + _e73)];
-                    let _e515 = unpack2x16float(_e513.x);
-                    phi_4555_ = vec3<f32>(_e515.x, _e515.y, unpack2x16float(_e513.y).x);
+                let _e540 = phi_4656_;
+                let _e544 = global.member_34;
+                let _e545 = (_e544 > 0u);
+                phi_4668_ = unpack4x8unorm(_e482.y).xyz;
+                if _e545 {
+                    let _e549 = global_7.member[(_e544 + _e76)];
+                    let _e551 = unpack2x16float(_e549.x);
+                    phi_4668_ = vec3<f32>(_e551.x, _e551.y, unpack2x16float(_e549.y).x);
                 }
-                let _e523 = phi_4555_;
-                let _e526 = (1u << bitcast<u32>((_e73 & 31u)));
-                let _e529 = global_7.member[_e77];
-                let _e533 = global_7.member[(_e77 + 1u)];
-                let _e537 = global_7.member[(_e77 + 2u)];
-                phi_4572_ = _e504;
-                if ((_e529.x & _e526) != 0u) {
-                    let _e548 = global.member_22;
-                    let _e550 = global.member_18;
-                    let _e554 = (_e548 + ((_e533.y + bitcast<u32>(countOneBits((_e529.x & (_e526 - 1u))))) * (1u + (4u * _e550))));
-                    let _e555 = (_e554 + 1u);
-                    let _e558 = global_6.member[_e554];
-                    let _e560 = global.member_40;
-                    let _e564 = global.member_19;
-                    phi_4557_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_4556_ = 0u;
+                let _e559 = phi_4668_;
+                let _e562 = (1u << bitcast<u32>((_e76 & 31u)));
+                let _e565 = global_7.member[_e80];
+                let _e569 = global_7.member[(_e80 + 1u)];
+                let _e573 = global_7.member[(_e80 + 2u)];
+                phi_4685_ = _e540;
+                if ((_e565.x & _e562) != 0u) {
+                    let _e584 = global.member_22;
+                    let _e586 = global.member_18;
+                    let _e590 = (_e584 + ((_e569.y + bitcast<u32>(countOneBits((_e565.x & (_e562 - 1u))))) * (1u + (4u * _e586))));
+                    let _e591 = (_e590 + 1u);
+                    let _e594 = global_6.member[_e590];
+                    let _e596 = global.member_40;
+                    let _e600 = global.member_19;
+                    phi_4670_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_4669_ = 0u;
                     loop {
-                        let _e568 = phi_4557_;
-                        let _e570 = phi_4556_;
-                        let _e572 = (2u * ((_e560 + ((_e558 >> bitcast<u32>(16u)) * _e564)) + _e570));
-                        let _e575 = global_1.member[_e572];
-                        let _e579 = global_1.member[(_e572 + 1u)];
-                        let _e585 = bitcast<vec4<f32>>(vec4<u32>(_e575.x, _e575.y, _e579.x, _e579.y));
-                        let _e589 = global_6.member[(_e555 + _e570)];
-                        let _e596 = global_6.member[((_e555 + _e550) + _e570)];
-                        let _e604 = global_6.member[((_e555 + (2u * _e550)) + _e570)];
-                        let _e612 = global_6.member[((_e555 + (3u * _e550)) + _e570)];
-                        let _e616 = (_e568 + vec4<f32>(dot(unpack4x8snorm(_e589), _e585), dot(unpack4x8snorm(_e596), _e585), dot(unpack4x8snorm(_e604), _e585), dot(unpack4x8snorm(_e612), _e585)));
-                        let _e618 = (_e570 + bitcast<u32>(1i));
-                        phi_4557_ = _e616;
-                        phi_4556_ = _e618;
-                        local_1 = _e616;
-                        if (_e618 < _e550) {
+                        let _e604 = phi_4670_;
+                        let _e606 = phi_4669_;
+                        let _e608 = (2u * ((_e596 + ((_e594 >> bitcast<u32>(16u)) * _e600)) + _e606));
+                        let _e611 = global_1.member[_e608];
+                        let _e615 = global_1.member[(_e608 + 1u)];
+                        let _e621 = bitcast<vec4<f32>>(vec4<u32>(_e611.x, _e611.y, _e615.x, _e615.y));
+                        let _e625 = global_6.member[(_e591 + _e606)];
+                        let _e632 = global_6.member[((_e591 + _e586) + _e606)];
+                        let _e640 = global_6.member[((_e591 + (2u * _e586)) + _e606)];
+                        let _e648 = global_6.member[((_e591 + (3u * _e586)) + _e606)];
+                        let _e652 = (_e604 + vec4<f32>(dot(unpack4x8snorm(_e625), _e621), dot(unpack4x8snorm(_e632), _e621), dot(unpack4x8snorm(_e640), _e621), dot(unpack4x8snorm(_e648), _e621)));
+                        let _e654 = (_e606 + bitcast<u32>(1i));
+                        phi_4670_ = _e652;
+                        phi_4669_ = _e654;
+                        local_1 = _e652;
+                        if (_e654 < _e586) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e624 = local_1;
-                    let _e626 = (_e504 + (_e624 * (127f * unpack2x16float(_e558).x)));
-                    phi_4572_ = select(_e504, _e626, vec4((length(_e626) >= 0.001f)));
+                    let _e660 = local_1;
+                    let _e662 = (_e540 + (_e660 * (127f * unpack2x16float(_e594).x)));
+                    phi_4685_ = select(_e540, _e662, vec4((length(_e662) >= 0.001f)));
                 }
-                let _e632 = phi_4572_;
-                phi_4576_ = _e252;
-                if ((_e529.y & _e526) != 0u) {
-                    let _e643 = global.member_23;
-                    let _e645 = global.member_18;
-                    let _e649 = (_e643 + ((_e537.x + bitcast<u32>(countOneBits((_e529.y & (_e526 - 1u))))) * (1u + (3u * _e645))));
-                    let _e650 = (_e649 + 1u);
-                    let _e653 = global_6.member[_e649];
-                    let _e655 = global.member_40;
-                    let _e659 = global.member_19;
-                    phi_4560_ = vec3<f32>(0f, 0f, 0f);
-                    phi_4559_ = 0u;
+                let _e668 = phi_4685_;
+                phi_4689_ = _e288;
+                if ((_e565.y & _e562) != 0u) {
+                    let _e679 = global.member_23;
+                    let _e681 = global.member_18;
+                    let _e685 = (_e679 + ((_e573.x + bitcast<u32>(countOneBits((_e565.y & (_e562 - 1u))))) * (1u + (3u * _e681))));
+                    let _e686 = (_e685 + 1u);
+                    let _e689 = global_6.member[_e685];
+                    let _e691 = global.member_40;
+                    let _e695 = global.member_19;
+                    phi_4673_ = vec3<f32>(0f, 0f, 0f);
+                    phi_4672_ = 0u;
                     loop {
-                        let _e663 = phi_4560_;
-                        let _e665 = phi_4559_;
-                        let _e667 = (2u * ((_e655 + ((_e653 >> bitcast<u32>(16u)) * _e659)) + _e665));
-                        let _e670 = global_1.member[_e667];
-                        let _e674 = global_1.member[(_e667 + 1u)];
-                        let _e680 = bitcast<vec4<f32>>(vec4<u32>(_e670.x, _e670.y, _e674.x, _e674.y));
-                        let _e684 = global_6.member[(_e650 + _e665)];
-                        let _e691 = global_6.member[((_e650 + _e645) + _e665)];
-                        let _e699 = global_6.member[((_e650 + (2u * _e645)) + _e665)];
-                        let _e703 = (_e663 + vec3<f32>(dot(unpack4x8snorm(_e684), _e680), dot(unpack4x8snorm(_e691), _e680), dot(unpack4x8snorm(_e699), _e680)));
-                        let _e705 = (_e665 + bitcast<u32>(1i));
-                        phi_4560_ = _e703;
-                        phi_4559_ = _e705;
-                        local_2 = _e703;
-                        if (_e705 < _e645) {
+                        let _e699 = phi_4673_;
+                        let _e701 = phi_4672_;
+                        let _e703 = (2u * ((_e691 + ((_e689 >> bitcast<u32>(16u)) * _e695)) + _e701));
+                        let _e706 = global_1.member[_e703];
+                        let _e710 = global_1.member[(_e703 + 1u)];
+                        let _e716 = bitcast<vec4<f32>>(vec4<u32>(_e706.x, _e706.y, _e710.x, _e710.y));
+                        let _e720 = global_6.member[(_e686 + _e701)];
+                        let _e727 = global_6.member[((_e686 + _e681) + _e701)];
+                        let _e735 = global_6.member[((_e686 + (2u * _e681)) + _e701)];
+                        let _e739 = (_e699 + vec3<f32>(dot(unpack4x8snorm(_e720), _e716), dot(unpack4x8snorm(_e727), _e716), dot(unpack4x8snorm(_e735), _e716)));
+                        let _e741 = (_e701 + bitcast<u32>(1i));
+                        phi_4673_ = _e739;
+                        phi_4672_ = _e741;
+                        local_2 = _e739;
+                        if (_e741 < _e681) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e711 = local_2;
-                    phi_4576_ = (_e252 + (_e711 * (127f * unpack2x16float(_e653).x)));
+                    let _e747 = local_2;
+                    phi_4689_ = (_e288 + (_e747 * (127f * unpack2x16float(_e689).x)));
                 }
-                let _e715 = phi_4576_;
-                phi_4578_ = _e523;
-                if ((_e533.x & _e526) != 0u) {
-                    let _e726 = global.member_24;
-                    let _e728 = global.member_18;
-                    let _e732 = (_e726 + ((_e537.y + bitcast<u32>(countOneBits((_e533.x & (_e526 - 1u))))) * (3u + (3u * _e728))));
-                    let _e736 = global_6.member[(_e732 + 1u)];
-                    let _e737 = unpack2x16float(_e736);
-                    let _e741 = global_6.member[(_e732 + 2u)];
-                    let _e749 = (_e732 + 3u);
-                    let _e752 = global_6.member[_e732];
-                    let _e754 = global.member_40;
-                    let _e758 = global.member_19;
-                    phi_4569_ = vec3<f32>(0f, 0f, 0f);
-                    phi_4568_ = 0u;
+                let _e751 = phi_4689_;
+                phi_4691_ = _e559;
+                if ((_e569.x & _e562) != 0u) {
+                    let _e762 = global.member_24;
+                    let _e764 = global.member_18;
+                    let _e768 = (_e762 + ((_e573.y + bitcast<u32>(countOneBits((_e569.x & (_e562 - 1u))))) * (3u + (3u * _e764))));
+                    let _e772 = global_6.member[(_e768 + 1u)];
+                    let _e773 = unpack2x16float(_e772);
+                    let _e777 = global_6.member[(_e768 + 2u)];
+                    let _e785 = (_e768 + 3u);
+                    let _e788 = global_6.member[_e768];
+                    let _e790 = global.member_40;
+                    let _e794 = global.member_19;
+                    phi_4682_ = vec3<f32>(0f, 0f, 0f);
+                    phi_4681_ = 0u;
                     loop {
-                        let _e762 = phi_4569_;
-                        let _e764 = phi_4568_;
-                        let _e766 = (2u * ((_e754 + ((_e752 >> bitcast<u32>(16u)) * _e758)) + _e764));
-                        let _e769 = global_1.member[_e766];
-                        let _e773 = global_1.member[(_e766 + 1u)];
-                        let _e779 = bitcast<vec4<f32>>(vec4<u32>(_e769.x, _e769.y, _e773.x, _e773.y));
-                        let _e783 = global_6.member[(_e749 + _e764)];
-                        let _e790 = global_6.member[((_e749 + _e728) + _e764)];
-                        let _e798 = global_6.member[((_e749 + (2u * _e728)) + _e764)];
-                        let _e802 = (_e762 + vec3<f32>(dot(unpack4x8snorm(_e783), _e779), dot(unpack4x8snorm(_e790), _e779), dot(unpack4x8snorm(_e798), _e779)));
-                        let _e804 = (_e764 + bitcast<u32>(1i));
-                        phi_4569_ = _e802;
-                        phi_4568_ = _e804;
-                        local_3 = _e802;
-                        if (_e804 < _e728) {
+                        let _e798 = phi_4682_;
+                        let _e800 = phi_4681_;
+                        let _e802 = (2u * ((_e790 + ((_e788 >> bitcast<u32>(16u)) * _e794)) + _e800));
+                        let _e805 = global_1.member[_e802];
+                        let _e809 = global_1.member[(_e802 + 1u)];
+                        let _e815 = bitcast<vec4<f32>>(vec4<u32>(_e805.x, _e805.y, _e809.x, _e809.y));
+                        let _e819 = global_6.member[(_e785 + _e800)];
+                        let _e826 = global_6.member[((_e785 + _e764) + _e800)];
+                        let _e834 = global_6.member[((_e785 + (2u * _e764)) + _e800)];
+                        let _e838 = (_e798 + vec3<f32>(dot(unpack4x8snorm(_e819), _e815), dot(unpack4x8snorm(_e826), _e815), dot(unpack4x8snorm(_e834), _e815)));
+                        let _e840 = (_e800 + bitcast<u32>(1i));
+                        phi_4682_ = _e838;
+                        phi_4681_ = _e840;
+                        local_3 = _e838;
+                        if (_e840 < _e764) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e810 = local_3;
-                    phi_4578_ = (select(vec3<f32>(_e737.x, _e737.y, unpack2x16float(_e741).x), _e523, vec3(_e509)) + (_e810 * (127f * unpack2x16float(_e752).x)));
+                    let _e846 = local_3;
+                    phi_4691_ = (select(vec3<f32>(_e773.x, _e773.y, unpack2x16float(_e777).x), _e559, vec3(_e545)) + (_e846 * (127f * unpack2x16float(_e788).x)));
                 }
-                let _e814 = phi_4578_;
-                let _e815 = normalize(_e632);
-                let _e820 = (_e815.z * _e815.z);
-                let _e821 = (_e815.w * _e815.w);
-                let _e825 = (_e815.y * _e815.z);
-                let _e826 = (_e815.x * _e815.w);
-                let _e829 = (_e815.y * _e815.w);
-                let _e830 = (_e815.x * _e815.z);
-                let _e835 = (_e815.y * _e815.y);
-                let _e839 = (_e815.z * _e815.w);
-                let _e840 = (_e815.x * _e815.y);
-                let _e854 = exp(min(_e715, vec3<f32>(9f, 9f, 9f)));
-                let _e861 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e820 + _e821))), (2f * (_e825 + _e826)), (2f * (_e829 - _e830))) * _e854.x), (vec3<f32>((2f * (_e825 - _e826)), (1f - (2f * (_e835 + _e821))), (2f * (_e839 + _e840))) * _e854.y), (vec3<f32>((2f * (_e829 + _e830)), (2f * (_e839 - _e840)), (1f - (2f * (_e835 + _e820)))) * _e854.z));
+                let _e850 = phi_4691_;
+                let _e851 = normalize(_e668);
+                let _e856 = (_e851.z * _e851.z);
+                let _e857 = (_e851.w * _e851.w);
+                let _e861 = (_e851.y * _e851.z);
+                let _e862 = (_e851.x * _e851.w);
+                let _e865 = (_e851.y * _e851.w);
+                let _e866 = (_e851.x * _e851.z);
+                let _e871 = (_e851.y * _e851.y);
+                let _e875 = (_e851.z * _e851.w);
+                let _e876 = (_e851.x * _e851.y);
+                let _e890 = exp(min(_e751, vec3<f32>(9f, 9f, 9f)));
+                let _e897 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e856 + _e857))), (2f * (_e861 + _e862)), (2f * (_e865 - _e866))) * _e890.x), (vec3<f32>((2f * (_e861 - _e862)), (1f - (2f * (_e871 + _e857))), (2f * (_e875 + _e876))) * _e890.y), (vec3<f32>((2f * (_e865 + _e866)), (2f * (_e875 - _e876)), (1f - (2f * (_e871 + _e856)))) * _e890.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e867 = global.member_2;
-                        let _e869 = global.member_3;
-                        let _e870 = clamp((_e361.xy / vec2(_e360)), _e867, _e869);
-                        let _e873 = global.member[0u];
-                        let _e879 = (((vec3<f32>(_e345.x, _e345.y, _e345.z) - (_e373 * _e870.x)) * (_e873 / _e360)) * _e861);
-                        let _e882 = global.member[1u];
-                        let _e888 = (((vec3<f32>(_e351.x, _e351.y, _e351.z) - (_e373 * _e870.y)) * (_e882 / _e360)) * _e861);
-                        let _e890 = global.member_47;
-                        let _e892 = (dot(_e879, _e879) + _e890);
-                        let _e895 = (dot(_e888, _e888) + _e890);
-                        let _e897 = cross(_e879, _e888);
-                        let _e898 = dot(_e897, _e897);
-                        let _e902 = (_e898 + (_e890 * ((_e892 + _e895) - _e890)));
-                        let _e903 = (_e902 > 0f);
-                        phi_4012_ = _e903;
-                        if _e903 {
-                            phi_4012_ = (_e892 <= 1000000000000000000f);
+                        let _e903 = global.member_2;
+                        let _e905 = global.member_3;
+                        let _e906 = clamp((_e397.xy / vec2(_e396)), _e903, _e905);
+                        let _e909 = global.member[0u];
+                        let _e915 = (((vec3<f32>(_e381.x, _e381.y, _e381.z) - (_e409 * _e906.x)) * (_e909 / _e396)) * _e897);
+                        let _e918 = global.member[1u];
+                        let _e924 = (((vec3<f32>(_e387.x, _e387.y, _e387.z) - (_e409 * _e906.y)) * (_e918 / _e396)) * _e897);
+                        let _e926 = global.member_47;
+                        let _e928 = (dot(_e915, _e915) + _e926);
+                        let _e931 = (dot(_e924, _e924) + _e926);
+                        let _e933 = cross(_e915, _e924);
+                        let _e934 = dot(_e933, _e933);
+                        let _e938 = (_e934 + (_e926 * ((_e928 + _e931) - _e926)));
+                        let _e939 = (_e938 > 0f);
+                        phi_4123_ = _e939;
+                        if _e939 {
+                            phi_4123_ = (_e928 <= 1000000000000000000f);
                         }
-                        let _e906 = phi_4012_;
-                        phi_4018_ = _e906;
-                        if _e906 {
-                            phi_4018_ = (_e895 <= 1000000000000000000f);
+                        let _e942 = phi_4123_;
+                        phi_4129_ = _e942;
+                        if _e942 {
+                            phi_4129_ = (_e931 <= 1000000000000000000f);
                         }
-                        let _e909 = phi_4018_;
-                        if !(_e909) {
-                            let _e912 = global_3.member_9;
-                            if (_e912 != 0u) {
-                                let _e916 = atomicAdd((&global_2.member[2u]), 1u);
+                        let _e945 = phi_4129_;
+                        if !(_e945) {
+                            let _e948 = global_3.member_9;
+                            if (_e948 != 0u) {
+                                let _e952 = atomicAdd((&global_2.member[2u]), 1u);
                             }
-                            phi_4597_ = 4294967295u;
+                            phi_4710_ = 4294967295u;
                             break;
                         }
-                        phi_4583_ = (1f - (_e450 * 0.003921569f));
-                        phi_4582_ = 0u;
+                        phi_4696_ = (1f - (_e486 * 0.003921569f));
+                        phi_4695_ = 0u;
                         loop {
-                            let _e920 = phi_4583_;
-                            let _e922 = phi_4582_;
-                            local_4 = _e920;
-                            if (_e922 < _e71) {
+                            let _e956 = phi_4696_;
+                            let _e958 = phi_4695_;
+                            local_4 = _e956;
+                            if (_e958 < _e74) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_4583_ = (_e920 * _e920);
-                                phi_4582_ = (_e922 + bitcast<u32>(1i));
+                                phi_4696_ = (_e956 * _e956);
+                                phi_4695_ = (_e958 + bitcast<u32>(1i));
                             }
                         }
-                        let _e928 = local_4;
-                        let _e932 = u32(round((255f * (1f - _e928))));
-                        let _e934 = global.member_48;
-                        phi_4591_ = _e932;
-                        if (_e934 > 0f) {
-                            let _e944 = u32(round((f32(_e932) * ((1f - _e934) + (_e934 * sqrt((_e898 / _e902)))))));
-                            if (f32(_e944) <= _e452) {
-                                let _e948 = global_3.member_9;
-                                if (_e948 != 0u) {
-                                    let _e952 = atomicAdd((&global_2.member[1u]), 1u);
+                        let _e964 = local_4;
+                        let _e968 = u32(round((255f * (1f - _e964))));
+                        let _e970 = global.member_48;
+                        phi_4704_ = _e968;
+                        if (_e970 > 0f) {
+                            let _e980 = u32(round((f32(_e968) * ((1f - _e970) + (_e970 * sqrt((_e934 / _e938)))))));
+                            if (f32(_e980) <= _e488) {
+                                let _e984 = global_3.member_9;
+                                if (_e984 != 0u) {
+                                    let _e988 = atomicAdd((&global_2.member[1u]), 1u);
                                 }
-                                phi_4597_ = 4294967295u;
+                                phi_4710_ = 4294967295u;
                                 break;
                             }
-                            phi_4591_ = _e944;
+                            phi_4704_ = _e980;
                         }
-                        let _e954 = phi_4591_;
-                        let _e956 = global.member_45;
-                        let _e957 = (vec3<f32>(_e892, dot(_e879, _e888), _e895) * _e956);
-                        let _e970 = global.member_49;
-                        let _e971 = ((sqrt(_e957.xz) * sqrt((2f * log(max((f32(_e954) / _e452), 1f))))) * _e970);
-                        let _e974 = global.member_50;
-                        let _e977 = all(((_e437 + _e971) > _e974.xy));
-                        phi_4096_ = _e977;
-                        if _e977 {
-                            phi_4096_ = all(((_e437 - _e971) < _e974.zw));
+                        let _e990 = phi_4704_;
+                        let _e992 = global.member_45;
+                        let _e993 = (vec3<f32>(_e928, dot(_e915, _e924), _e931) * _e992);
+                        let _e1006 = global.member_49;
+                        let _e1007 = ((sqrt(_e993.xz) * sqrt((2f * log(max((f32(_e990) / _e488), 1f))))) * _e1006);
+                        let _e1010 = global.member_50;
+                        let _e1013 = all(((_e473 + _e1007) > _e1010.xy));
+                        phi_4207_ = _e1013;
+                        if _e1013 {
+                            phi_4207_ = all(((_e473 - _e1007) < _e1010.zw));
                         }
-                        let _e983 = phi_4096_;
-                        if !(_e983) {
-                            let _e986 = global_3.member_9;
-                            if (_e986 != 0u) {
-                                let _e990 = atomicAdd((&global_2.member[0u]), 1u);
+                        let _e1019 = phi_4207_;
+                        if !(_e1019) {
+                            let _e1022 = global_3.member_9;
+                            if (_e1022 != 0u) {
+                                let _e1026 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_4597_ = 4294967295u;
+                            phi_4710_ = 4294967295u;
                             break;
                         }
-                        let _e995 = (0.5f * (_e957.x - _e957.z));
-                        let _e1000 = sqrt(((_e995 * _e995) + (_e957.y * _e957.y)));
-                        let _e1003 = ((0.5f * (_e957.x + _e957.z)) + _e1000);
-                        if (_e995 >= 0f) {
-                            phi_4595_ = vec2<f32>((_e995 + _e1000), _e957.y);
+                        let _e1031 = (0.5f * (_e993.x - _e993.z));
+                        let _e1036 = sqrt(((_e1031 * _e1031) + (_e993.y * _e993.y)));
+                        let _e1039 = ((0.5f * (_e993.x + _e993.z)) + _e1036);
+                        if (_e1031 >= 0f) {
+                            phi_4708_ = vec2<f32>((_e1031 + _e1036), _e993.y);
                         } else {
-                            phi_4595_ = vec2<f32>(_e957.y, (_e1000 - _e995));
+                            phi_4708_ = vec2<f32>(_e993.y, (_e1036 - _e1031));
                         }
-                        let _e1010 = phi_4595_;
-                        if (_e1000 > (0.00000001f * _e1003)) {
-                            phi_4596_ = normalize(_e1010);
+                        let _e1046 = phi_4708_;
+                        if (_e1036 > (0.00000001f * _e1039)) {
+                            phi_4709_ = normalize(_e1046);
                         } else {
-                            phi_4596_ = vec2<f32>(1f, 0f);
+                            phi_4709_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1015 = phi_4596_;
-                        let _e1022 = global.member_5;
-                        let _e1026 = global.member_10;
-                        let _e1030 = vec2<u32>(clamp(round(((_e437 + vec2(_e1022)) * _e1026)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1033 = vec3<u32>(round((clamp(_e814, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1061 = global.member_41;
-                        let _e1063 = (4u * (_e1061 + _e63));
-                        global_4.member[_e1063] = ((_e1030.x | (_e1033.x << bitcast<u32>(20u))) | (_e1033.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1063 + 1u)] = (_e1030.y | (_e1033.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1063 + 2u)] = pack2x16float((_e1015 * min(sqrt(_e1003), 65504f)));
-                        global_4.member[(_e1063 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e902 * (_e956 * _e956)) / _e1003)), 65504f), 0f)) | (_e954 << bitcast<u32>(16u))) | ((_e1033.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1076 = global.member_9;
-                        phi_4597_ = min(u32((_e435 * f32(_e1076))), _e1076);
+                        let _e1051 = phi_4709_;
+                        let _e1058 = global.member_5;
+                        let _e1062 = global.member_10;
+                        let _e1066 = vec2<u32>(clamp(round(((_e473 + vec2(_e1058)) * _e1062)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1069 = vec3<u32>(round((clamp(_e850, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1097 = global.member_41;
+                        let _e1099 = (4u * (_e1097 + _e66));
+                        global_4.member[_e1099] = ((_e1066.x | (_e1069.x << bitcast<u32>(20u))) | (_e1069.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1099 + 1u)] = (_e1066.y | (_e1069.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1099 + 2u)] = pack2x16float((_e1051 * min(sqrt(_e1039), 65504f)));
+                        global_4.member[(_e1099 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e938 * (_e992 * _e992)) / _e1039)), 65504f), 0f)) | (_e990 << bitcast<u32>(16u))) | ((_e1069.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1112 = global.member_9;
+                        phi_4710_ = min(u32((_e471 * f32(_e1112))), _e1112);
                         break;
                     }
                 }
-                let _e1082 = phi_4597_;
-                phi_4598_ = _e1082;
+                let _e1118 = phi_4710_;
+                phi_4711_ = _e1118;
                 break;
             }
         }
-        let _e1084 = phi_4598_;
-        phi_4599_ = _e1084;
+        let _e1120 = phi_4711_;
+        phi_4712_ = _e1120;
     } else {
-        phi_4599_ = 4294967295u;
+        phi_4712_ = 4294967295u;
     }
-    let _e1086 = phi_4599_;
+    let _e1122 = phi_4712_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1089 = bitcast<u32>(param[0u]);
-            let _e1091 = global.member_41;
-            let _e1092 = (_e1091 + _e63);
-            if (_e1086 != 4294967295u) {
-                let _e1095 = global.member_37;
-                let _e1099 = global.member_36;
-                let _e1105 = atomicAdd((&global_2.member[((_e1099 + ((_e1092 / _e1095) * 256u)) + (_e1086 & 255u))]), 1u);
+            let _e1125 = bitcast<u32>(param[0u]);
+            let _e1127 = global.member_41;
+            let _e1128 = (_e1127 + _e66);
+            if (_e1122 != 4294967295u) {
+                let _e1131 = global.member_37;
+                let _e1135 = global.member_36;
+                let _e1141 = atomicAdd((&global_2.member[((_e1135 + ((_e1128 / _e1131) * 256u)) + (_e1122 & 255u))]), 1u);
             }
-            let _e1107 = global.member_35;
-            if (_e1107 == 0u) {
-                if (_e63 < (_e65 + (_e65 & 1u))) {
-                    let _e1113 = global.member_28;
-                    global_4.member[(_e1113 + _e1092)] = _e1086;
+            let _e1143 = global.member_35;
+            if (_e1143 == 0u) {
+                if (_e66 < (_e68 + (_e68 & 1u))) {
+                    let _e1149 = global.member_28;
+                    global_4.member[(_e1149 + _e1128)] = _e1122;
                 }
                 break;
             }
-            global_5[_e1089] = _e1086;
+            global_5[_e1125] = _e1122;
             workgroupBarrier();
-            let _e1119 = ((_e1089 & 1u) == 0u);
-            if select(_e1119, _e66, _e1119) {
-                let _e1122 = global.member_28;
-                let _e1129 = global_5[(_e1089 + 1u)];
-                global_4.member[(_e1122 + (_e1092 >> bitcast<u32>(1u)))] = ((_e1086 & 65535u) | (_e1129 << bitcast<u32>(16u)));
+            let _e1155 = ((_e1125 & 1u) == 0u);
+            if select(_e1155, _e69, _e1155) {
+                let _e1158 = global.member_28;
+                let _e1165 = global_5[(_e1125 + 1u)];
+                global_4.member[(_e1158 + (_e1128 >> bitcast<u32>(1u)))] = ((_e1122 & 65535u) | (_e1165 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -4,8 +4,8 @@
 //! Maximum rounding: quaternions (30 bits: 0.0007 a component), log scales
 //! (10 bits over the avatar's own range, 1/256 for up to 8 octaves and a half), colours (8 bits,
 //! not rounded where a corrective is added), correctives (8 bits of the largest in their row), and
-//! the weights of nodes ([`node_shares`]: 0.016). Networks, positions, joints, opacities and the
-//! nodes' offsets are not rounded.
+//! the weights of nodes ([`NodeBits`]: 0.0013 with up to 16,384 nodes, 0.016 with 65,536). Networks,
+//! positions, joints, opacities and the nodes' offsets are not rounded.
 
 use crate::{
     avatar::{
@@ -20,8 +20,8 @@ use half::f16;
 /// Steps in 1 of a quaternion's three smaller components. None of them exceeds √½: 509 of the 511
 /// steps that fit.
 pub const QUATERNION_STEPS: f64 = 720.0;
-/// Steps in 1 of a node's share.
-pub const NODE_STEPS: f64 = 31.0;
+/// Bits of a node's index, at least. Fewer would give its shares more bits than they have use for.
+pub const NODE_BITS_MIN: u32 = 12;
 /// The smallest log scale, a tenth of a micrometre; smaller ones are clamped to it.
 const LOG_SCALE_MIN: f64 = -16.0;
 /// Largest code of a log scale.
@@ -156,9 +156,50 @@ pub fn decode_quaternion(word: u32) -> [f64; 4] {
     q
 }
 
+/// How the 58 bits are shared out that the GPU's model has for a Gaussian's three nodes and their
+/// weights. Neighbours follow nodes of nearly the same places, so that what weights are rounded by
+/// moves one Gaussian past another: what indices leave free is for the weights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NodeBits {
+    /// Of a node's index: as many as the avatar's nodes need, [`NODE_BITS_MIN`] to 16.
+    pub index: u32,
+    /// Of the two shares of [`node_shares`].
+    pub shares: [u32; 2],
+}
+
+impl NodeBits {
+    /// For an avatar with so many nodes, up to 65,536.
+    pub fn new(nodes: usize) -> Self {
+        let index = ((nodes.max(1 << NODE_BITS_MIN) - 1).ilog2() + 1).min(16);
+        let spare = 16 - index;
+        Self {
+            index,
+            shares: [5 + 2 * spare, 5 + spare],
+        }
+    }
+
+    /// The largest code of each share, which stands for 1.
+    pub fn steps(self) -> [f64; 2] {
+        self.shares.map(|bits| f64::from((1_u32 << bits) - 1))
+    }
+
+    /// Two words, of which the highest 6 bits are left free: the first two nodes and the first
+    /// share's bits above the lowest 5, then the third node, these 5, and the second share.
+    pub fn pack(self, nodes: [u16; 3], [first, second]: [u32; 2]) -> [u32; 2] {
+        let [a, b, c] = nodes.map(u64::from);
+        let high = u64::from(first >> 5);
+        let low = first & 31;
+        [
+            // In 64 bits, since nothing may be shifted by 32.
+            (a | b << self.index | high << (2 * self.index)) as u32,
+            c as u32 | low << self.index | second << (self.index + 5),
+        ]
+    }
+}
+
 /// A Gaussian's nodes by falling weight, and two shares that encode the weights, in
-/// [`NODE_STEPS`]: the first weight between a third and 1, and the second between half and all of
-/// the rest.
+/// [`NodeBits::steps`]: the first weight between a third and 1, and the second between half and all
+/// of the rest.
 pub fn node_shares(avatar: &Avatar, gaussian: usize) -> ([u16; 3], [u32; 2]) {
     let (order, shares) = coded_weights(avatar, gaussian);
     (order.map(|k| avatar.gaussians.node[gaussian][k]), shares)
@@ -167,8 +208,9 @@ pub fn node_shares(avatar: &Avatar, gaussian: usize) -> ([u16; 3], [u32; 2]) {
 /// The weights that [`node_shares`] encodes, in the order of [`Avatar::node_weights`].
 pub fn stored_node_weights(avatar: &Avatar, gaussian: usize) -> [f64; 3] {
     let (order, [first, second]) = coded_weights(avatar, gaussian);
-    let first = (1.0 + 2.0 * f64::from(first) / NODE_STEPS) / 3.0;
-    let second = (1.0 - first) * (0.5 + 0.5 * f64::from(second) / NODE_STEPS);
+    let steps = NodeBits::new(avatar.nodes.len()).steps();
+    let first = (1.0 + 2.0 * f64::from(first) / steps[0]) / 3.0;
+    let second = (1.0 - first) * (0.5 + 0.5 * f64::from(second) / steps[1]);
     let mut weights = [0.0; 3];
     weights[order[0]] = first;
     weights[order[1]] = second;
@@ -232,13 +274,18 @@ fn coded_weights(avatar: &Avatar, gaussian: usize) -> ([usize; 3], [u32; 2]) {
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
     let [a, b, c] = order.map(|k| weights[k]);
-    let code = |share: f64| (share * NODE_STEPS).round().clamp(0.0, NODE_STEPS) as u32;
+    let steps = NodeBits::new(avatar.nodes.len()).steps();
+    let code = |share: f64, steps: f64| (share * steps).round().clamp(0.0, steps) as u32;
     let second = if b + c > 0.0 {
         2.0 * b / (b + c) - 1.0
     } else {
         0.0
     };
-    (order, [code((3.0 * a - 1.0) / 2.0), code(second)])
+    let codes = [
+        code((3.0 * a - 1.0) / 2.0, steps[0]),
+        code(second, steps[1]),
+    ];
+    (order, codes)
 }
 
 /// The step of a row's bytes: a number of four significant bits, whose multiples by up to 127 are
@@ -477,19 +524,58 @@ mod tests {
         assert_eq!(again.gaussians.color, compact.gaussians.color);
     }
 
+    /// Half a step of each share, times how much of the weights it shares out.
+    fn node_rounding(nodes: usize) -> f64 {
+        let [first, second] = NodeBits::new(nodes).steps();
+        (1.0 / 3.0 / first).max(1.0 / 6.0 / second) + 1.0 / 6.0 / first
+    }
+
     #[test]
     fn node_weights_are_within_their_rounding() {
         let avatar = crate::demo::avatar().unwrap();
+        let most = node_rounding(avatar.nodes.len());
         for gaussian in 0..avatar.gaussians.len() {
             for (coded, exact) in stored_node_weights(&avatar, gaussian)
                 .into_iter()
                 .zip(avatar.node_weights(gaussian))
             {
                 assert!(
-                    (coded - exact).abs() < 0.0165,
+                    (coded - exact).abs() < most,
                     "Gaussian {gaussian}: {exact} became {coded}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn nodes_have_the_bits_they_need_and_shares_the_rest() {
+        for (nodes, index, shares) in [
+            (0, 12, [13, 9]),
+            (4096, 12, [13, 9]),
+            (4097, 13, [11, 8]),
+            (10_000, 14, [9, 7]),
+            (16_384, 14, [9, 7]),
+            (16_385, 15, [7, 6]),
+            (65_536, 16, [5, 5]),
+        ] {
+            let bits = NodeBits::new(nodes);
+            assert_eq!(bits, NodeBits { index, shares }, "{nodes} nodes");
+            let last = nodes.saturating_sub(1) as u16;
+            let [first, second] = shares.map(|bits| (1 << bits) - 1);
+            // Each alone, and all together: no bit is anyone else's, nor one of the log scale's.
+            let all = bits.pack([last; 3], [first, second]);
+            let alone = [
+                bits.pack([last, 0, 0], [0, 0]),
+                bits.pack([0, last, 0], [0, 0]),
+                bits.pack([0, 0, last], [0, 0]),
+                bits.pack([0; 3], [first, 0]),
+                bits.pack([0; 3], [0, second]),
+            ];
+            for k in 0..2 {
+                let sum: u64 = alone.iter().map(|words| u64::from(words[k])).sum();
+                assert_eq!(sum, u64::from(all[k]), "{nodes} nodes");
+            }
+            assert_eq!(all[1] >> 26, 0, "{nodes} nodes");
         }
     }
 

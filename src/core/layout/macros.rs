@@ -2,7 +2,7 @@
 
 use super::{
     binning::{TILING, TILING_WEB},
-    compact::{NODE_STEPS, QUATERNION_STEPS},
+    compact::{NODE_BITS_MIN, QUATERNION_STEPS},
     gpu::*,
     train::*,
 };
@@ -82,7 +82,7 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("ALPHA_MAX", Float(ALPHA_MAX)),
     ("ROTATION_MIN", Float(ROTATION_MIN)),
     ("VARIANCE_MAX", Float(VARIANCE_MAX)),
-    ("NODE_STEPS", Float(NODE_STEPS)),
+    ("NODE_BITS_MIN", Uint(NODE_BITS_MIN)),
     ("QUATERNION_STEPS", Float(QUATERNION_STEPS)),
     ("TRAIN_WORKGROUP", Uint(TRAIN_WORKGROUP)),
     ("TRAIN_MLP_WORKGROUP", Uint(TRAIN_MLP_WORKGROUP)),

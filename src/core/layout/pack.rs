@@ -1,7 +1,7 @@
 //! Packs an avatar's arrays into the words and halves that the shaders read. Rounding happens in
 //! [`super::compact`]; all other numbers keep the bits that the file has.
 
-use super::compact::{self, CodedRow, LogScales};
+use super::compact::{self, CodedRow, LogScales, NodeBits};
 use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout};
 use crate::{
     avatar::{Activation, Avatar, Layer, Rows, limits, matrix},
@@ -301,13 +301,14 @@ fn packed_gaussian(
         word | scales.encode(g.log_scale[i][k].to_f64()) << (10 * k)
     });
     let [a, b, c, _] = g.joint_weight[i];
-    let (nodes, [first, second]) = compact::node_shares(avatar, i);
-    let n = nodes.map(|node| {
+    let (nodes, shares) = compact::node_shares(avatar, i);
+    let places = nodes.map(|node| {
         node_places
             .get(usize::from(node))
             .copied()
             .unwrap_or_default()
     });
+    let [nodes, last_node] = NodeBits::new(avatar.nodes.len()).pack(places, shares);
     let [red, green, blue] = g.color[i].map(|c| (c.to_f64().clamp(0.0, 1.0) * 255.0).round() as u8);
     let (rotation, _) = compact::encode_quaternion(g.rotation[i].map(f64::from));
     [
@@ -316,10 +317,7 @@ fn packed_gaussian(
             u32::from_le_bytes(g.joint[i]),
             u32::from_le_bytes([a, b, c, (scale >> 16) as u8]),
         ],
-        [
-            pair(n[0], n[1]),
-            u32::from(n[2]) | first << 16 | second << 21 | scale >> 24 << 26,
-        ],
+        [nodes, last_node | scale >> 24 << 26],
         [
             rotation,
             u32::from_le_bytes([red, green, blue, g.opacity[i]]),

@@ -157,7 +157,7 @@ pub fn assemble(
         levels: vec![],
     };
     Assembled {
-        avatar,
+        avatar: avatar.balanced(),
         order: parts.order,
     }
 }

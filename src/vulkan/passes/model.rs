@@ -90,7 +90,8 @@ impl Model {
     }
 
     /// Fills the buffers with another avatar. False, and nothing has changed, where its arrays have
-    /// other lengths; nor on an error that is not the device's loss. No submitted work may use them.
+    /// other lengths; nor on an error that is not the device's loss. No submitted work may use
+    /// them.
     pub(crate) fn replace(
         &mut self,
         gpu: &Arc<Gpu>,

@@ -143,8 +143,8 @@ impl Bindings {
     /// Sets the image of bindings that have one.
     ///
     /// # Safety
-    /// No submitted work may use the set. The image must be in the layout `GENERAL` when it is used,
-    /// and it and the sampler, which a written image has none of, must outlive that.
+    /// No submitted work may use the set. The image must be in the layout `GENERAL` when it is
+    /// used, and it and the sampler, which a written image has none of, must outlive that.
     pub unsafe fn set_image(&self, sampler: vk::Sampler, image_view: vk::ImageView) {
         let Some((binding, bound)) = self.image else {
             return;

@@ -1,5 +1,6 @@
 //! Render passes and graphics pipelines of the stages that draw: a render pass with a colour
-//! attachment and, where depths are tested, one of depth, and a pipeline that draws triangles to it.
+//! attachment and, where depths are tested, one of depth, and a pipeline that draws triangles to
+//! it.
 
 use super::{
     module::{flags, list, shader_module, specialization_entries, take_over},
