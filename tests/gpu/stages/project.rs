@@ -7,7 +7,7 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     frame::{CullReasons, KeyBits, Skip, fixed_scale},
     io::pack::PackQuality,
-    layout::{POSITION_BITS, PROJECT_WORKGROUPS, SORT_CULLED},
+    layout::{POSITION_BITS, PROJECT_WORKGROUPS, SORT_CULLED, compact::NodeBits},
     reference::{Culled, Gaussian, Splat},
     scene::{Camera, Posed, detail},
 };
@@ -76,8 +76,11 @@ fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, cached: bool) -> T
     let longest = nodes
         .iter()
         .fold(0.0, |most: f64, node| most.max(node.length()));
-    // What a weight may be off by, and half a step of f16.
-    let mut offset = enlarged * (0.0165 * apart + longest / 2048.0);
+    // What a weight may be off by, half a step of each share and a little for f32, and half a step
+    // of f16.
+    let [first, second] = NodeBits::new(frame.avatar.nodes.len()).steps();
+    let weight = 1e-6 + 1.0 / 3.0 / first + 1.0 / 6.0 / second;
+    let mut offset = enlarged * (weight * apart + longest / 2048.0);
     // On the screen; nearer the border lengths seem longer.
     let slope = (expected.center - frame.camera.center) / frame.camera.focal;
     let pixels = frame.camera.focal.max_element() / expected.depth * (1.0 + slope.length());
@@ -320,6 +323,25 @@ fn compare(packed_words: Option<bool>) {
             let options = gpu::at_level(options, level);
             check(&gpu::frame(&device, seed, sizes, options));
         }
+    }
+}
+
+/// The words of a Gaussian's nodes are cut elsewhere for each of these numbers of nodes.
+fn gaussians_follow_nodes_however_many_there_are() {
+    let device = gpu::gpu();
+    for (seed, nodes) in (0..).zip([4096, 5000, 10_000, 20_000, 40_000]) {
+        let sizes = Sizes {
+            gaussians: 2000,
+            rows: 20,
+            basis: 4,
+            nodes,
+            ..Sizes::default()
+        };
+        let frame = gpu::frame(&device, seed, sizes, options(seed, [500, 300]));
+        let followed = frame.avatar.gaussians.node.iter().flatten();
+        let last = usize::from(followed.max().copied().unwrap_or_default());
+        assert!(2 * last > nodes, "no Gaussian follows a node after {last}");
+        check(&frame);
     }
 }
 
@@ -636,6 +658,7 @@ tests! {
     packed_avatars_land_where_the_reference_puts_them,
     every_gaussian_lands_where_the_reference_puts_it: smoke,
     packed_words_give_the_same_as_halves,
+    gaussians_follow_nodes_however_many_there_are,
     workgroups_of_every_size_give_the_same,
     adversarial_gaussians_and_cameras_agree_too,
     splats_from_the_pose_cache_agree_with_the_reference,
