@@ -3,8 +3,9 @@
 //
 //   two a Gaussian           x y | z, log scales 0..16 | four joints | three weights, log scales
 //                            16..24
-//   one a Gaussian           nodes a b, first share 5.. | node c, first share 0..5, second share, log
-//                            scales 24..30; nodes have node_bits() bits, and shares the rest
+//   one a Gaussian           nodes a b, first share from bit 5 on | node c, first share 0..5,
+//                            second share, log scales 24..30; nodes have node_bits(), shares the
+//                            rest
 //   one a Gaussian           quaternion | RGB, opacity
 //   four for 32 Gaussians    masks of those that have a basis row of rotation | scale | colour,
 //                            number of earlier rows of rotation | scale | colour, first and last

@@ -346,7 +346,7 @@ impl Session {
         let parameters = self.trainer()?.parameters()?;
         parameters.put_into(&mut avatar, &layout, &self.rows);
         avatar.skeleton = self.skeleton();
-        Ok(avatar.balanced())
+        Ok(avatar)
     }
 
     /// Trains until it is done or `stop` is set. `report` hears of the progress, and may look at

@@ -5,7 +5,6 @@
 //! alone. Symbols are the paper's: N_g Gaussians, N_G parts, N_B basis functions a part,
 //! N_s position nodes, J joints.
 
-mod balance;
 pub mod bounds;
 pub mod filter;
 pub mod harmonics;

@@ -160,7 +160,10 @@ impl Avatar {
                     compact::matrix_of(compact::rows(&self.scale_rows, self.basis_len()));
                 after.color_rows.basis =
                     compact::matrix_of(compact::rows(&self.color_rows, self.basis_len()));
-                after.nodes.basis = compact::matrix_of(compact::node_rows(self));
+                // As renderers balance them.
+                after = after.balanced();
+                let rows = compact::node_rows(&after.nodes.basis, 3 * self.basis_len());
+                after.nodes.basis = compact::matrix_of(rows);
             }
             PackStep::Weights => {
                 for layer in &mut after.networks.layers {

@@ -157,8 +157,8 @@ pub fn decode_quaternion(word: u32) -> [f64; 4] {
 }
 
 /// How the 58 bits are shared out that the GPU's model has for a Gaussian's three nodes and their
-/// weights. Neighbours follow nodes of nearly the same places, so that what weights are rounded by
-/// moves one Gaussian past another: what indices leave free is for the weights.
+/// weights. Neighbouring Gaussians lie so close in depth that rounded weights move one past another,
+/// so what indices leave free is for the weights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodeBits {
     /// Of a node's index: as many as the avatar's nodes need, [`NODE_BITS_MIN`] to 16.
@@ -303,7 +303,7 @@ impl Avatar {
     /// This avatar with the rounding of the GPU's model, except what [`Neutral::stored`] gives:
     /// here f16 rounds it once more.
     pub fn compact(&self) -> Self {
-        let mut compact = self.clone();
+        let mut compact = self.clone().balanced();
         let scales = LogScales::from_avatar(self);
         let g = &mut compact.gaussians;
         for q in &mut g.rotation {
@@ -321,7 +321,8 @@ impl Avatar {
         compact.rotation_rows = rounded(&self.rotation_rows, rotation_rows(self));
         compact.scale_rows = rounded(&self.scale_rows, rows(&self.scale_rows, self.basis_len()));
         compact.color_rows = rounded(&self.color_rows, rows(&self.color_rows, self.basis_len()));
-        compact.nodes.basis = matrix_of(node_rows(self));
+        let length = 3 * self.basis_len();
+        compact.nodes.basis = matrix_of(node_rows(&compact.nodes.basis, length));
         compact
     }
 }
@@ -371,12 +372,10 @@ pub fn rows<const C: usize>(rows: &Rows<C>, basis: usize) -> Vec<CodedRow> {
     divided(rows, basis, |_| 1.0)
 }
 
-/// Encodes the rows of all nodes.
-pub fn node_rows(avatar: &Avatar) -> Vec<CodedRow> {
-    let length = 3 * avatar.basis_len();
-    let rows = avatar.nodes.basis.rows(length).len();
-    each::map(rows, |node| {
-        CodedRow::new(node as u32, avatar.nodes.basis.row(node, length), 1.0)
+/// Encodes the rows of all nodes, of so many numbers each: 3 N_B.
+pub fn node_rows(bases: &Matrix, length: usize) -> Vec<CodedRow> {
+    each::map(bases.rows(length).len(), |node| {
+        CodedRow::new(node as u32, bases.row(node, length), 1.0)
     })
 }
 

@@ -1,5 +1,6 @@
 //! The GPU's data: structs and constants, the encoding of an avatar's numbers, tile sizes.
 
+mod balance;
 pub mod binning;
 mod bins;
 pub mod compact;
@@ -10,6 +11,7 @@ mod packed;
 pub mod sh;
 mod train;
 
+pub use balance::Balance;
 pub use binning::{TILING, TILING_WEB};
 pub use bins::{BinLayout, BinLists, bin_count, bin_side};
 pub use gpu::*;

@@ -2,7 +2,7 @@
 //! [`super::compact`]; all other numbers keep the bits that the file has.
 
 use super::compact::{self, CodedRow, LogScales, NodeBits};
-use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout};
+use super::{BLOCK_PAIRS, Balance, FrameBlock, GAUSSIAN_PAIRS, LayerLayout};
 use crate::{
     avatar::{Activation, Avatar, Layer, Rows, limits, matrix},
     constants::LEAKY_SLOPE,
@@ -88,16 +88,22 @@ fn network_words(avatar: &Avatar, quads: u32) -> usize {
     quads as usize * if avatar.networks.in_bytes() { 1 } else { 2 }
 }
 
-/// Packs weights and biases, a block of words a part. In it each layer's weights are ordered by
+/// Packs weights and biases, [balanced](Balance), a block of words a part. In it each layer's weights are ordered by
 /// quad of inputs, then by neuron, so that neighbouring invocations read neighbouring quads. A quad
 /// is two words of four f16. For networks in bytes it is one word, and a word of bias and step in
 /// f16 follows the layer's weights for each neuron.
 pub fn networks(avatar: &Avatar, constants: &FrameBlock) -> Vec<u32> {
     let words = network_words(avatar, constants.network_quads);
     let bytes = avatar.networks.in_bytes();
+    let balanced = Balance::new(avatar).and_then(|balance| balance.last_layer(avatar));
+    let layers = &avatar.networks.layers;
+    let hidden = layers
+        .split_last()
+        .map_or(&layers[..], |(_, hidden)| hidden);
+    let last = balanced.as_ref().or(layers.last());
     let mut data = vec![0; avatar.parts.len() * words];
     for (part, block) in data.chunks_exact_mut(words.max(1)).enumerate() {
-        for (layer, place) in avatar.networks.layers.iter().zip(&constants.layer) {
+        for (layer, place) in hidden.iter().chain(last).zip(&constants.layer) {
             network_layer(layer, place, part, block, bytes);
         }
     }
@@ -194,7 +200,7 @@ fn node_quads(avatar: &Avatar) -> usize {
     3 * avatar.basis_len() / 4
 }
 
-/// Packs nodes into planes of words, one entry a node; see `shaders/mlp/mlp.glsl`.
+/// Packs nodes, their bases [balanced](Balance), into planes of words, one entry a node; see `shaders/mlp/mlp.glsl`.
 pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
     let count = avatar.nodes.len();
     let quads = node_quads(avatar);
@@ -204,7 +210,9 @@ pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
         data[quads * count + 2 * usize::from(place)] = pair(x, y);
         data[quads * count + 2 * usize::from(place) + 1] = u32::from(z);
     }
-    for row in compact::node_rows(avatar) {
+    let balanced = Balance::new(avatar).map(|balance| balance.bases(avatar));
+    let bases = balanced.as_ref().unwrap_or(&avatar.nodes.basis);
+    for row in compact::node_rows(bases, 3 * avatar.basis_len()) {
         let place = usize::from(places[row.target as usize]);
         for (quad, codes) in row.codes.chunks_exact(4).enumerate() {
             data[quad * count + place] = word(codes);

@@ -157,7 +157,7 @@ pub fn assemble(
         levels: vec![],
     };
     Assembled {
-        avatar: avatar.balanced(),
+        avatar,
         order: parts.order,
     }
 }

@@ -398,7 +398,7 @@ impl<'a> Students<'a> {
         avatar.scale_rows = rows(parts, 1, scale);
         avatar.color_rows = rows(parts, 2, color);
         avatar.nodes.basis = node_basis.into();
-        avatar.balanced()
+        avatar
     }
 
     /// Runs the stages. Returns the avatar and its networks.

@@ -223,7 +223,7 @@ impl<'a> LearningProblem<'a> {
         avatar.scale_rows = self.rows(parts, 1);
         avatar.color_rows = self.rows(parts, 2);
         self.write_nodes(parts, &mut avatar);
-        avatar.balanced()
+        avatar
     }
 
     /// Rotation, log scale and colour of every Gaussian without correctives.
