@@ -45,7 +45,8 @@ cp tools/gpu/run.sh "$tree/run.sh"
 
 # The Vulkan loader, and what NVIDIA's driver wants beside it. Of these the machine's own are as good.
 library() { # NAME: its path here
-  ldconfig -p | awk -v name="$1" '$1 == name && /x86-64/ { print $NF; exit }'
+  # All of the list is read: what writes it would end with an error otherwise.
+  ldconfig -p | awk -v name="$1" '$1 == name && /x86-64/ && !path { path = $NF } END { print path }'
 }
 for name in libvulkan.so.1 libX11.so.6 libXext.so.6 libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0; do
   path=$(library "$name")

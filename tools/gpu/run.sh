@@ -116,7 +116,7 @@ do_step() { # NAME SECONDS
 export -f bench do_step
 
 # A step in a shell of its own, so that its time limit covers all of it. Arrays are not exported: they travel as text.
-settings=$(declare -p work here effigy body frames sweep sorts rates soak soak_seconds tests)
+settings=$(declare -p work here effigy body cases frames sweep sorts rates soak soak_seconds tests)
 run_step() { # NAME LIMIT
   local name=$1 limit=$(($2 * slower)) left=$((total - verdict_seconds - SECONDS)) begin=$SECONDS code=0 outcome note=''
   [ "$name" = soak ] || left=$((left - soak_reserve))
