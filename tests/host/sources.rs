@@ -56,6 +56,34 @@ fn no_test_has_the_test_attribute() {
     }
 }
 
+/// Steps of a GPU's verdict run in shells of their own, which know what they are handed alone. A
+/// run tells: but it takes minutes, and one that matters a GPU.
+fn the_bundle_hands_on_what_its_steps_read() {
+    let script = fs::read_to_string(tests().join("../tools/gpu/run.sh")).unwrap();
+    let (_, steps) = script.split_once("\nbench() {").unwrap();
+    let (steps, rest) = steps.split_once("\nexport -f bench do_step").unwrap();
+    let (_, settings) = rest.split_once("settings=$(declare -p ").unwrap();
+    let settings: Vec<&str> = settings.split(')').next().unwrap().split(' ').collect();
+    let is_name = |c: char| c.is_ascii_lowercase() || c == '_';
+    let mut read = 0;
+    for after in steps.split('$').skip(1) {
+        let name = after.trim_start_matches('{');
+        let name = name.split(|c| !is_name(c)).next().unwrap();
+        if name.is_empty() || steps.contains(&format!("local {name}=")) {
+            continue;
+        }
+        read += 1;
+        assert!(
+            settings.contains(&name),
+            "a step reads ${name}, which it is not handed"
+        );
+    }
+    assert!(
+        read > 10,
+        "only {read} variables were found in what the steps run"
+    );
+}
+
 /// The README is short, and its Rust is that of the library's documentation, which is compiled.
 fn the_readme_is_short_and_its_code_compiles() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
@@ -88,4 +116,5 @@ tests! {
     the_readme_is_short_and_its_code_compiles,
     every_file_is_a_module,
     no_test_has_the_test_attribute,
+    the_bundle_hands_on_what_its_steps_read,
 }
