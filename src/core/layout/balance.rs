@@ -14,24 +14,23 @@ use half::f16;
 /// that others move further has its step from them, and leaves weights fewer bits.
 const MOST: f64 = 5.0;
 
-/// By how much each basis function of the nodes is enlarged.
-pub struct Balance {
+/// How an avatar is balanced: by how much each basis function of its nodes is enlarged.
+pub struct Balance<'a> {
+    avatar: &'a Avatar,
+    /// The layer that computes features.
+    last: &'a Layer,
     /// Shape N_G, N_B.
     factors: Vec<f64>,
-    /// N_B.
-    basis: usize,
-    /// Where in e the nodes' features begin.
-    start: usize,
 }
 
-impl Balance {
+impl<'a> Balance<'a> {
     /// None where nothing is to be changed: nodes share their features with attributes, or bases or
     /// weights are bytes already, which the GPU's model holds as they are.
-    pub fn new(avatar: &Avatar) -> Option<Self> {
+    pub fn new(avatar: &'a Avatar) -> Option<Self> {
         let basis = avatar.basis_len();
-        let start = avatar.node_feature_start();
-        let layer = avatar.networks.layers.last()?;
-        if basis == 0 || start == 0 || layer.weight.is_bytes() || avatar.nodes.basis.is_bytes() {
+        let shared = avatar.node_feature_start() == 0;
+        let last = avatar.networks.layers.last()?;
+        if basis == 0 || shared || last.weight.is_bytes() || avatar.nodes.basis.is_bytes() {
             return None;
         }
         let mut reach = vec![0.0_f64; avatar.parts.len() * basis];
@@ -41,41 +40,41 @@ impl Balance {
                 reach[at % basis] = reach[at % basis].max(number.abs());
             }
         }
-        let factors = reach.chunks_exact(basis).flat_map(factors).collect();
         Some(Self {
-            factors,
-            basis,
-            start,
+            avatar,
+            last,
+            factors: reach.chunks_exact(basis).flat_map(factors).collect(),
         })
     }
 
     /// The bases of the avatar's nodes, enlarged.
-    pub fn bases(&self, avatar: &Avatar) -> Matrix {
-        let rows = avatar.nodes.basis.rows(3 * self.basis);
-        rows.zip(&avatar.nodes.part)
-            .flat_map(|(row, &part)| {
-                let factors = &self.factors[usize::from(part) * self.basis..][..self.basis];
-                let factors = factors.iter().cycle();
-                row.iter()
-                    .zip(factors)
-                    .map(|(number, factor)| f16::from_f64(factor * number))
-            })
-            .collect()
+    pub fn bases(&self) -> Matrix {
+        let basis = self.avatar.basis_len();
+        let nodes = &self.avatar.nodes;
+        let rows = nodes.basis.rows(3 * basis).zip(&nodes.part);
+        rows.flat_map(|(row, &part)| {
+            let factors = &self.factors[usize::from(part) * basis..][..basis];
+            let pairs = row.iter().zip(factors.iter().cycle());
+            pairs.map(|(number, factor)| f16::from_f64(factor * number))
+        })
+        .collect()
     }
 
     /// The last layer of the avatar's networks, with the nodes' features reduced. A weight or bias
     /// that comes under 6e-5 is off by up to 3e-8.
-    pub fn last_layer(&self, avatar: &Avatar) -> Option<Layer> {
-        let mut layer = avatar.networks.layers.last()?.clone();
+    pub fn last_layer(&self) -> Layer {
+        let basis = self.avatar.basis_len();
+        let start = self.avatar.node_feature_start();
+        let mut layer = self.last.clone();
         let weights = layer.weight.halves_mut();
         for (at, &factor) in self.factors.iter().enumerate() {
-            let neuron = at / self.basis * layer.output + self.start + at % self.basis;
+            let neuron = at / basis * layer.output + start + at % basis;
             let own = &mut weights[neuron * layer.input..][..layer.input];
             for number in own.iter_mut().chain([&mut layer.bias[neuron]]) {
                 *number = f16::from_f64(number.to_f64() / factor);
             }
         }
-        Some(layer)
+        layer
     }
 }
 
@@ -99,12 +98,10 @@ impl Avatar {
         let Some(balance) = Balance::new(&self) else {
             return self;
         };
-        self.nodes.basis = balance.bases(&self);
-        if let Some(layer) = balance.last_layer(&self)
-            && let Some(last) = self.networks.layers.last_mut()
-        {
-            *last = layer;
-        }
+        let (bases, layer) = (balance.bases(), balance.last_layer());
+        self.nodes.basis = bases;
+        self.networks.layers.pop();
+        self.networks.layers.push(layer);
         self
     }
 }

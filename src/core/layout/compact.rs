@@ -157,8 +157,8 @@ pub fn decode_quaternion(word: u32) -> [f64; 4] {
 }
 
 /// How the 58 bits are shared out that the GPU's model has for a Gaussian's three nodes and their
-/// weights. Neighbouring Gaussians lie so close in depth that rounded weights move one past another,
-/// so what indices leave free is for the weights.
+/// weights. Neighbouring Gaussians lie so close in depth that rounded weights move one past
+/// another, so what indices leave free is for the weights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodeBits {
     /// Of a node's index: as many as the avatar's nodes need, [`NODE_BITS_MIN`] to 16.
@@ -181,6 +181,13 @@ impl NodeBits {
     /// The largest code of each share, which stands for 1.
     pub fn steps(self) -> [f64; 2] {
         self.shares.map(|bits| f64::from((1_u32 << bits) - 1))
+    }
+
+    /// What a weight is rounded by at most: half a step of each share, times how much of the
+    /// weights it shares out, two thirds of 1 and half of that.
+    pub fn rounding(self) -> f64 {
+        let [first, second] = self.steps();
+        1.0 / 3.0 / first + 1.0 / 6.0 / second
     }
 
     /// Two words, of which the highest 6 bits are left free: the first two nodes and the first
@@ -523,17 +530,10 @@ mod tests {
         assert_eq!(again.gaussians.color, compact.gaussians.color);
     }
 
-    /// Half a step of each share, times how much of the weights it shares out: two thirds of 1, and
-    /// half of that.
-    fn node_rounding(nodes: usize) -> f64 {
-        let [first, second] = NodeBits::new(nodes).steps();
-        1.0 / 3.0 / first + 1.0 / 6.0 / second
-    }
-
     #[test]
     fn node_weights_are_within_their_rounding() {
         let avatar = crate::demo::avatar().unwrap();
-        let most = node_rounding(avatar.nodes.len());
+        let most = NodeBits::new(avatar.nodes.len()).rounding();
         for gaussian in 0..avatar.gaussians.len() {
             for (coded, exact) in stored_node_weights(&avatar, gaussian)
                 .into_iter()

@@ -88,22 +88,21 @@ fn network_words(avatar: &Avatar, quads: u32) -> usize {
     quads as usize * if avatar.networks.in_bytes() { 1 } else { 2 }
 }
 
-/// Packs weights and biases, [balanced](Balance), a block of words a part. In it each layer's weights are ordered by
-/// quad of inputs, then by neuron, so that neighbouring invocations read neighbouring quads. A quad
-/// is two words of four f16. For networks in bytes it is one word, and a word of bias and step in
-/// f16 follows the layer's weights for each neuron.
+/// Packs weights and biases, [balanced](Balance), a block of words a part. In it each layer's
+/// weights are ordered by quad of inputs, then by neuron, so that neighbouring invocations read
+/// neighbouring quads. A quad is two words of four f16. For networks in bytes it is one word, and a
+/// word of bias and step in f16 follows the layer's weights for each neuron.
 pub fn networks(avatar: &Avatar, constants: &FrameBlock) -> Vec<u32> {
     let words = network_words(avatar, constants.network_quads);
     let bytes = avatar.networks.in_bytes();
-    let balanced = Balance::new(avatar).and_then(|balance| balance.last_layer(avatar));
-    let layers = &avatar.networks.layers;
-    let hidden = layers
-        .split_last()
-        .map_or(&layers[..], |(_, hidden)| hidden);
-    let last = balanced.as_ref().or(layers.last());
+    let balanced = Balance::new(avatar).map(|balance| balance.last_layer());
+    let mut layers: Vec<&Layer> = avatar.networks.layers.iter().collect();
+    if let (Some(balanced), Some(last)) = (&balanced, layers.last_mut()) {
+        *last = balanced;
+    }
     let mut data = vec![0; avatar.parts.len() * words];
     for (part, block) in data.chunks_exact_mut(words.max(1)).enumerate() {
-        for (layer, place) in hidden.iter().chain(last).zip(&constants.layer) {
+        for (layer, place) in layers.iter().zip(&constants.layer) {
             network_layer(layer, place, part, block, bytes);
         }
     }
@@ -200,7 +199,8 @@ fn node_quads(avatar: &Avatar) -> usize {
     3 * avatar.basis_len() / 4
 }
 
-/// Packs nodes, their bases [balanced](Balance), into planes of words, one entry a node; see `shaders/mlp/mlp.glsl`.
+/// Packs nodes, their bases [balanced](Balance), into planes of words, one entry a node; see
+/// `shaders/mlp/mlp.glsl`.
 pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
     let count = avatar.nodes.len();
     let quads = node_quads(avatar);
@@ -210,7 +210,7 @@ pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
         data[quads * count + 2 * usize::from(place)] = pair(x, y);
         data[quads * count + 2 * usize::from(place) + 1] = u32::from(z);
     }
-    let balanced = Balance::new(avatar).map(|balance| balance.bases(avatar));
+    let balanced = Balance::new(avatar).map(|balance| balance.bases());
     let bases = balanced.as_ref().unwrap_or(&avatar.nodes.basis);
     for row in compact::node_rows(bases, 3 * avatar.basis_len()) {
         let place = usize::from(places[row.target as usize]);

@@ -76,10 +76,8 @@ fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, cached: bool) -> T
     let longest = nodes
         .iter()
         .fold(0.0, |most: f64, node| most.max(node.length()));
-    // What a weight may be off by, half a step of each share and a little for f32, and half a step
-    // of f16.
-    let [first, second] = NodeBits::new(frame.avatar.nodes.len()).steps();
-    let weight = 1e-6 + 1.0 / 3.0 / first + 1.0 / 6.0 / second;
+    // What a weight may be off by, with a little for f32, and half a step of f16.
+    let weight = 1e-6 + NodeBits::new(frame.avatar.nodes.len()).rounding();
     let mut offset = enlarged * (weight * apart + longest / 2048.0);
     // On the screen; nearer the border lengths seem longer.
     let slope = (expected.center - frame.camera.center) / frame.camera.focal;
