@@ -10,7 +10,7 @@ use crate::scene::{
     AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible,
     levels::{self, ChosenLevel},
 };
-use glam::{DAffine3, UVec2};
+use glam::UVec2;
 
 /// Slots start at multiples of this, px, so that no tile has splats of two.
 const ALIGNMENT: u32 = 16;
@@ -52,15 +52,9 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's.
-    pub fn new(
-        bounds: &AvatarBounds,
-        joints: &[DAffine3],
-        camera: &Camera,
-        visible: &Visible,
-        input: LevelInput,
-    ) -> Self {
-        let side = bounds.longest_side(joints, camera);
+    /// An avatar that is in view where `visible` says.
+    pub fn new(bounds: &AvatarBounds, visible: &Visible, input: LevelInput) -> Self {
+        let side = visible.longest_side();
         let most = input.supersampling.factor(side);
         let chosen = match input.supersampling {
             Supersampling::BySize if most > 1.0 => {
@@ -74,7 +68,7 @@ impl Seen {
         };
         Self {
             around: visible.around,
-            depth: bounds.depth(joints, camera),
+            depth: visible.depth,
             side,
             most,
             chosen,

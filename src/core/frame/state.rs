@@ -48,6 +48,10 @@ pub struct AvatarInstance<'a> {
     pub pose_place: usize,
     /// Which stages it needs.
     pub changes: Changes,
+    /// Nearest and furthest depth along the camera's axis, metres.
+    depth: [f64; 2],
+    /// Area of its box in the frame's image, px²; None where it crosses the near plane.
+    pixels: Option<f64>,
     /// Parts that may be in view; None where visibility does not matter.
     visible_parts: Option<PartSet>,
     /// Parts all outside the view.
@@ -155,9 +159,9 @@ pub struct FrameState {
 struct Candidate {
     /// Index of its pose.
     index: usize,
-    /// None where visibility does not matter.
-    visible: Option<Visible>,
-    /// Its place and size; None without supersampling.
+    /// Where it is.
+    visible: Visible,
+    /// How it may be drawn; None without supersampling.
     seen: Option<Seen>,
     /// The coarsest of its levels by which nothing is lost.
     near: usize,
@@ -200,39 +204,27 @@ impl FrameState {
             if skip.contains(Skip::AVATARS) && bounds.is_outside(&posed.joints, camera) {
                 continue;
             }
-            let visible = (skip.intersects(Skip::AVATARS | Skip::PARTS | Skip::DAMAGE)
-                || options.supersampling.is_on())
-            .then(|| bounds.visible(&posed.joints, camera));
-            let nothing_visible = visible
-                .as_ref()
-                .is_some_and(|visible| visible.parts.is_empty());
-            if nothing_visible && skip.contains(Skip::AVATARS) {
+            let visible = bounds.visible(&posed.joints, camera);
+            if visible.parts.is_empty() && skip.contains(Skip::AVATARS) {
                 continue;
             }
-            drawn_rect = drawn_rect.union(match &visible {
-                Some(visible)
-                    if skip.contains(Skip::DAMAGE) && bounds.has_margin_for(&posed.input) =>
-                {
-                    visible.rect
-                }
-                _ => whole,
+            let has_margin = bounds.has_margin_for(&posed.input);
+            drawn_rect = drawn_rect.union(if skip.contains(Skip::DAMAGE) && has_margin {
+                visible.rect
+            } else {
+                whole
             });
-            let seen = visible
-                .as_ref()
-                .filter(|_| options.supersampling.is_on())
-                .map(|visible| {
-                    Seen::new(
-                        bounds,
-                        &posed.joints,
-                        camera,
-                        visible,
-                        LevelInput {
-                            supersampling: options.supersampling,
-                            before: self.trackers[index].near(),
-                            coarser: options.detail.coarser,
-                        },
-                    )
-                });
+            let seen = options.supersampling.is_on().then(|| {
+                Seen::new(
+                    bounds,
+                    &visible,
+                    LevelInput {
+                        supersampling: options.supersampling,
+                        before: self.trackers[index].near(),
+                        coarser: options.detail.coarser,
+                    },
+                )
+            });
             candidates.push(Candidate {
                 index,
                 visible,
@@ -301,9 +293,9 @@ impl FrameState {
             }
         }
         let image = Layer {
-            depth_range: depth_range(&image, bounds, camera),
+            depth_range: depth_range(&image, camera),
             pixels_a_gaussian: if redraw && skip.contains(Skip::DEPTH) {
-                pixels_a_gaussian(&image, bounds)
+                pixels_a_gaussian(&image)
             } else {
                 f64::INFINITY
             },
@@ -314,7 +306,7 @@ impl FrameState {
         let size = arrangement.size;
         let atlas = (!atlas.is_empty()).then(|| Atlas {
             layer: Layer {
-                depth_range: depth_range(&atlas, bounds, camera),
+                depth_range: depth_range(&atlas, camera),
                 pixels_a_gaussian: f64::INFINITY,
                 instances: atlas,
                 size,
@@ -343,18 +335,10 @@ impl FrameState {
             .zip(&arrangement.slot_of)
             .map(|(candidate, slot)| {
                 let slot = slot.map(|slot| &arrangement.slots[slot]);
-                self.portion(input, candidate, slot, arrangement.size)
+                self.portion(input, candidate, slot)
             })
             .collect();
-        let side = |place: usize| {
-            let Candidate { index, seen, .. } = &candidates[place];
-            match seen {
-                Some(seen) => seen.side,
-                None => input
-                    .bounds
-                    .longest_side(&input.poses[*index].joints, input.camera),
-            }
-        };
+        let side = |place: usize| candidates[place].visible.longest_side();
         input.room.fit(&mut portions, side, input.bounds);
         portions
     }
@@ -365,7 +349,6 @@ impl FrameState {
         input: &PlanInput,
         candidate: &mut Candidate,
         slot: Option<&Slot>,
-        atlas_size: [u32; 2],
     ) -> Portion {
         let PlanInput {
             bounds, options, ..
@@ -382,9 +365,8 @@ impl FrameState {
                 };
             }
         }
-        let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
-        let joints = &input.poses[candidate.index].joints;
-        let pixels = || bounds.pixels(joints, &camera);
+        let samples = slot.map_or(1.0, |slot| slot.factor * slot.factor);
+        let pixels = || Some(samples * candidate.visible.pixels()?);
         let before = tracker.level();
         // Without levels in the file, each coarser one is half of the Gaussians.
         let coarser = slot.map_or(0, |_| options.detail.coarser as u32);
@@ -420,9 +402,7 @@ impl FrameState {
         } = place;
         let Portion { model, level } = portion;
         let posed = input.poses[index];
-        let visible_parts = visible
-            .filter(|_| options.skip.contains(Skip::PARTS))
-            .map(|visible| visible.parts);
+        let visible_parts = options.skip.contains(Skip::PARTS).then_some(visible.parts);
         let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
         let samples = slot.map_or(1.0, |slot| slot.factor);
         let view = View {
@@ -456,6 +436,8 @@ impl FrameState {
             cache_start,
             pose_place: 0,
             changes,
+            depth: visible.depth,
+            pixels: visible.pixels(),
             visible_parts,
             culled_parts,
             networks: PartSet::EMPTY,
@@ -546,21 +528,18 @@ impl<'a> FramePlan<'a> {
 }
 
 /// [`Layer::pixels_a_gaussian`]; infinite where all avatars in view cross the near plane.
-fn pixels_a_gaussian(instances: &[AvatarInstance], bounds: &AvatarBounds) -> f64 {
+fn pixels_a_gaussian(instances: &[AvatarInstance]) -> f64 {
     instances
         .iter()
-        .filter_map(|instance| {
-            let pixels = bounds.pixels(&instance.posed.joints, &instance.camera)?;
-            Some(pixels / f64::from(instance.gaussians.max(1)))
-        })
+        .filter_map(|instance| Some(instance.pixels? / f64::from(instance.gaussians.max(1))))
         .fold(f64::INFINITY, f64::min)
 }
 
 /// A range of depths around all avatars in view, metres; any valid range where there are none.
-fn depth_range(instances: &[AvatarInstance], bounds: &AvatarBounds, camera: &Camera) -> [f64; 2] {
+fn depth_range(instances: &[AvatarInstance], camera: &Camera) -> [f64; 2] {
     instances
         .iter()
-        .map(|instance| bounds.depth(&instance.posed.joints, camera))
+        .map(|instance| instance.depth)
         .reduce(|[low, high], [near, far]| [low.min(near), high.max(far)])
         .unwrap_or([camera.near, 2.0 * camera.near])
 }

@@ -35,8 +35,6 @@ pub fn render_shown(
         if !visible.parts.is_empty() {
             seen.push(Seen::new(
                 &bounds,
-                &posed.joints,
-                camera,
                 &visible,
                 LevelInput {
                     supersampling,

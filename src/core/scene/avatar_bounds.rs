@@ -1,7 +1,10 @@
-//! Where a posed avatar is, from boxes around its parts: bounds that cost some thousand points a
-//! frame instead of one a Gaussian.
+//! Where a posed avatar is, from boxes around its parts: bounds that cost some hundred boxes a
+//! frame instead of a point a Gaussian.
 
-use super::{Camera, LevelChoice, PartSet, PixelRect, PlaneRect, detail, radius_in_sigmas};
+use super::{
+    AxisBox, BoxMover, Camera, LevelChoice, PartSet, PixelRect, PlaneBox, PlaneRect, detail,
+    radius_in_sigmas,
+};
 use crate::avatar::{Avatar, Filter};
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
 use crate::each;
@@ -18,8 +21,6 @@ const RECT_MARGIN: f64 = 0.15;
 /// Larger inputs are none that correctives are learned for: joint angles are up to π, expressions a
 /// few standard deviations. Of how far they move nodes no margin says anything.
 const INPUT_MAX: f64 = 10.0;
-/// Coordinates in the plane of the image beyond this, px, belong to nothing that is drawn.
-const PLANE_MAX: f64 = 1e6;
 /// Minimum skin weight (0–255) for a joint to widen the avatar's bounds. Culling of parts uses all
 /// joints.
 const MIN_WEIGHT: u8 = 8;
@@ -30,8 +31,7 @@ const FILTER_REACH: f64 = 2.0;
 #[derive(Clone, Debug)]
 struct PartBox {
     part: usize,
-    min: DVec3,
-    max: DVec3,
+    space: AxisBox,
     /// Largest radius of its Gaussians around their centres, metres: where an opaque one fades
     /// below visibility, enlarged for correctives and levels of detail.
     radius: f64,
@@ -43,7 +43,8 @@ struct PartBox {
     major_joints: usize,
 }
 
-/// The parts of an avatar that may be in an image, and where.
+/// Where a camera sees a posed avatar, and which of its parts: all that a frame asks, from one walk
+/// over the parts.
 #[derive(Clone, Debug)]
 pub struct Visible {
     /// The parts that may be in view.
@@ -54,85 +55,23 @@ pub struct Visible {
     /// A rectangle around all of the avatar with that margin, inside the image and outside. None
     /// where it comes near the near plane.
     pub around: Option<PlaneRect>,
+    /// Width and height of a rectangle around all of the avatar without a margin, px, which may
+    /// extend beyond the image. None where the avatar crosses the near plane.
+    pub sides: Option<DVec2>,
+    /// Nearest and furthest distance along the camera's axis, metres, no nearer than the near
+    /// plane. The first is always below the second.
+    pub depth: [f64; 2],
 }
 
-/// A box in the plane of the image, px; it may lie outside the image.
-#[derive(Clone, Copy)]
-struct PlaneBox {
-    min: DVec2,
-    max: DVec2,
-}
-
-impl PlaneBox {
-    const EMPTY: Self = Self {
-        min: DVec2::INFINITY,
-        max: DVec2::NEG_INFINITY,
-    };
-
-    /// Widens the box by a point and a radius around it.
-    fn add(&mut self, center: DVec2, radius: DVec2) {
-        self.min = self.min.min(center - radius);
-        self.max = self.max.max(center + radius);
+impl Visible {
+    /// The longer of [`Self::sides`], px; infinite where the avatar crosses the near plane.
+    pub fn longest_side(&self) -> f64 {
+        self.sides.map_or(f64::INFINITY, DVec2::max_element)
     }
 
-    /// The pixels of an image that it touches.
-    fn clamp(&self, size: UVec2) -> PixelRect {
-        let clamp = |at: DVec2| at.clamp(DVec2::ZERO, size.as_dvec2()).as_uvec2();
-        PixelRect {
-            min: clamp(self.min.floor()),
-            max: clamp(self.max.ceil()),
-        }
-    }
-
-    /// The smallest box around both.
-    fn union(self, other: Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
-    }
-
-    /// The pixels of the plane that it touches. None where it is empty, or too large to be drawn.
-    fn pixels(&self) -> Option<PlaneRect> {
-        let drawn = |at: DVec2| at.abs().max_element() < PLANE_MAX;
-        (drawn(self.min) && drawn(self.max)).then(|| PlaneRect {
-            min: self.min.floor().as_ivec2(),
-            max: self.max.ceil().as_ivec2(),
-        })
-    }
-}
-
-/// A part's box as a camera sees it.
-struct ProjectedBox {
-    /// Encloses the part with a margin that decides visibility.
-    tight: PlaneBox,
-    /// Encloses the part with a margin wide enough to clear and draw within.
-    padded: PlaneBox,
-    /// Some of the part, with its margin, may be nearer than the near plane.
-    crosses_near: bool,
-    /// All of it is.
-    behind_near: bool,
-}
-
-impl ProjectedBox {
-    /// Whether nothing of the part can be in an image of this size.
-    fn is_outside(&self, size: UVec2) -> bool {
-        if self.crosses_near {
-            // The projection says nothing about points that near.
-            return self.behind_near;
-        }
-        self.tight.max.cmplt(DVec2::ZERO).any() || self.tight.min.cmpgt(size.as_dvec2()).any()
-    }
-
-    /// The pixels that may show the part: the whole image where the projection does not bound it.
-    fn drawn_rect(&self, size: UVec2) -> PixelRect {
-        let bounded =
-            !self.crosses_near && self.padded.min.is_finite() && self.padded.max.is_finite();
-        if bounded {
-            self.padded.clamp(size)
-        } else {
-            PixelRect::whole(size.into())
-        }
+    /// Area of the rectangle with these sides, px².
+    pub fn pixels(&self) -> Option<f64> {
+        self.sides.map(DVec2::element_product)
     }
 }
 
@@ -220,36 +159,57 @@ impl AvatarBounds {
         self.gaussians
     }
 
-    /// Corners of all parts' boxes as moved by their major joints.
-    fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
-        self.parts
-            .iter()
-            .flat_map(move |part| part.corners(joints, part.major_joints))
-    }
-
-    /// The parts that may be in the image, and where. A part is culled if its box is outside, with
-    /// a margin for its Gaussians' size, its nodes' static displacements, and 5 cm of what poses
-    /// add to them.
+    /// Where the avatar is, and which of its parts may be in the image. A part is culled if its box
+    /// is outside, with a margin for its Gaussians' size, its nodes' static displacements, and 5 cm
+    /// of what poses add to them.
+    ///
+    /// Corners are projected only of parts that may widen a box or lie on the image's border; of
+    /// the others a bound says enough.
     pub fn visible(&self, joints: &[DAffine3], camera: &Camera) -> Visible {
-        let scale = enlargement(joints) * enlargement(&[camera.view]);
+        let movers: Vec<BoxMover> = joints
+            .iter()
+            .map(|joint| BoxMover::new(camera.view * *joint))
+            .collect();
+        let margin = margin(joints);
+        let scale = margin / MARGIN * enlargement(&[camera.view]);
+        let reach = reach_of(self.filter);
         let size = UVec2::from(camera.size);
-        let mut visible = Visible {
-            parts: PartSet::EMPTY,
-            rect: PixelRect::EMPTY,
-            around: None,
-        };
+        let mut parts = PartSet::EMPTY;
+        // With the wide margin, around the parts in view and around all.
+        let mut drawn = PlaneBox::EMPTY;
         let mut around = PlaneBox::EMPTY;
+        // Around all without a margin, in space and in the image.
+        let mut body = AxisBox::EMPTY;
+        let mut bare = PlaneBox::EMPTY;
         for part in &self.parts {
-            let projected = part.project(joints, camera, scale, reach_of(self.filter));
-            around = around.union(projected.padded);
-            if projected.is_outside(size) {
-                continue;
+            let moved = MovedPart::new(part, &movers, camera);
+            body = body.union(moved.major);
+            let bare_bound = moved.major.projection_bound(camera, 0.0, 0.0);
+            // Nearer there are no sides to tell.
+            if body.min.z >= camera.near {
+                bare.include(&bare_bound, || moved.project_major());
             }
-            visible.parts.insert(part.part);
-            visible.rect = visible.rect.union(projected.drawn_rect(size));
+            let wide = scale * part.wide_margin();
+            let bound = moved.bound(wide, reach);
+            if moved.is_outside(scale * part.margin(), reach, &bare_bound, size) {
+                around.include(&bound, || moved.project(wide, reach));
+            } else {
+                parts.insert(part.part);
+                drawn.include(&bound, || moved.project(wide, reach));
+                around = around.union(drawn);
+            }
         }
-        visible.around = around.pixels();
-        visible
+        Visible {
+            parts,
+            rect: if parts.is_empty() {
+                PixelRect::EMPTY
+            } else {
+                drawn.within(size)
+            },
+            around: around.pixels(),
+            sides: (body.min.z >= camera.near).then(|| (bare.max - bare.min).max(DVec2::ZERO)),
+            depth: depth_range(&body, margin, camera),
+        }
     }
 
     /// Whether [`Visible::rect`] has a margin for what networks make of these inputs.
@@ -258,7 +218,7 @@ impl AvatarBounds {
     }
 
     /// Whether nothing of the avatar can be in the image: a test of all of it, with a wider margin
-    /// than that of its parts ([`Self::visible`]), at a twentieth of the cost.
+    /// than that of its parts ([`Self::visible`]), at a tenth of the cost.
     pub fn is_outside(&self, joints: &[DAffine3], camera: &Camera) -> bool {
         let scale = enlargement(joints) * enlargement(&[camera.view]);
         let margin = scale * self.margin;
@@ -277,7 +237,7 @@ impl AvatarBounds {
         let mut outside = [true; 5];
         for own in &self.joints {
             let moved = camera.view * joints[own.joint];
-            for corner in corners_of(own.min, own.max) {
+            for corner in own.space.corners() {
                 let p = moved.transform_point3(corner);
                 for (outside, side) in outside.iter_mut().zip(&sides) {
                     *outside &= side.dot(p) < -margin;
@@ -291,11 +251,24 @@ impl AvatarBounds {
         outside.contains(&true)
     }
 
-    /// Longest side of a rectangle around the avatar without a margin, px; infinite where it
-    /// crosses the near plane.
+    /// [`Visible::longest_side`].
     pub fn longest_side(&self, joints: &[DAffine3], camera: &Camera) -> f64 {
-        let sides = self.sides(joints, camera);
-        sides.map_or(f64::INFINITY, DVec2::max_element)
+        self.visible(joints, camera).longest_side()
+    }
+
+    /// [`Visible::pixels`].
+    pub fn pixels(&self, joints: &[DAffine3], camera: &Camera) -> Option<f64> {
+        self.visible(joints, camera).pixels()
+    }
+
+    /// [`Visible::sides`].
+    pub fn sides(&self, joints: &[DAffine3], camera: &Camera) -> Option<DVec2> {
+        self.visible(joints, camera).sides
+    }
+
+    /// [`Visible::depth`].
+    pub fn depth(&self, joints: &[DAffine3], camera: &Camera) -> [f64; 2] {
+        self.visible(joints, camera).depth
     }
 
     /// Whether [`Self::visible`] allows for a Gaussian of a part: one beyond may be cut off.
@@ -311,67 +284,18 @@ impl AvatarBounds {
     /// Lower and upper corner of a box around the posed avatar, in the space that the joint
     /// matrices lead to.
     pub fn bounds(&self, joints: &[DAffine3]) -> [DVec3; 2] {
-        let none = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-        let [min, max] = self.corners(joints).fold(none, |[min, max], corner| {
-            [min.min(corner), max.max(corner)]
-        });
+        let movers: Vec<BoxMover> = joints.iter().map(|&joint| BoxMover::new(joint)).collect();
+        let body = self
+            .parts
+            .iter()
+            .map(|part| part.around(part.major(), &movers))
+            .fold(AxisBox::EMPTY, AxisBox::union);
         let margin = margin(joints);
-        if min.cmple(max).all() {
-            [min - margin, max + margin]
+        if body.min.cmple(body.max).all() {
+            [body.min - margin, body.max + margin]
         } else {
             [DVec3::ZERO; 2]
         }
-    }
-
-    /// Area of a rectangle around the avatar without a margin, px², which may extend beyond the
-    /// image. None where the avatar crosses the near plane.
-    pub fn pixels(&self, joints: &[DAffine3], camera: &Camera) -> Option<f64> {
-        let sides = self.sides(joints, camera)?;
-        Some(sides.x * sides.y)
-    }
-
-    /// Width and height of that rectangle, px. None where the avatar crosses the near plane.
-    pub fn sides(&self, joints: &[DAffine3], camera: &Camera) -> Option<DVec2> {
-        let projected = self.project(joints, camera, 0.0)?;
-        Some((projected.max - projected.min).max(DVec2::ZERO))
-    }
-
-    /// A box around the avatar in the plane of the image, with a margin in metres. None where it
-    /// crosses the near plane.
-    fn project(&self, joints: &[DAffine3], camera: &Camera, margin: f64) -> Option<PlaneBox> {
-        let mut projected = PlaneBox::EMPTY;
-        for corner in self.corners(joints) {
-            let p = camera.view.transform_point3(corner);
-            if p.z - margin < camera.near {
-                return None;
-            }
-            projected.add(camera.project(p), projected_radius(camera, p, margin));
-        }
-        Some(projected)
-    }
-
-    /// Nearest and furthest distance along the camera's axis, metres, no nearer than the near
-    /// plane. The first is always below the second.
-    pub fn depth(&self, joints: &[DAffine3], camera: &Camera) -> [f64; 2] {
-        let axis = camera.view.matrix3.transpose().z_axis;
-        let along = |point: DVec3| axis.dot(point) + camera.view.translation.z;
-        let (min, max) = self
-            .corners(joints)
-            .map(along)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), z| {
-                (min.min(z), max.max(z))
-            });
-        let margin = margin(joints) * axis.length();
-        let near = if min.is_finite() {
-            (min - margin).max(camera.near)
-        } else {
-            camera.near
-        };
-        // At least a hundredth of the margin deep, and more than f32 can tell apart.
-        let far = (max + margin)
-            .max(near + 0.02 * margin)
-            .max(near * (1.0 + 1e-6));
-        [near, far]
     }
 }
 
@@ -379,8 +303,7 @@ impl AvatarBounds {
 #[derive(Clone, Debug)]
 struct JointBox {
     joint: usize,
-    min: DVec3,
-    max: DVec3,
+    space: AxisBox,
 }
 
 impl JointBox {
@@ -391,14 +314,10 @@ impl JointBox {
             for &joint in &part.joints {
                 let joint = usize::from(joint);
                 match boxes.iter_mut().find(|own| own.joint == joint) {
-                    Some(own) => {
-                        own.min = own.min.min(part.min);
-                        own.max = own.max.max(part.max);
-                    }
+                    Some(own) => own.space = own.space.union(part.space),
                     None => boxes.push(Self {
                         joint,
-                        min: part.min,
-                        max: part.max,
+                        space: part.space,
                     }),
                 }
             }
@@ -407,24 +326,15 @@ impl JointBox {
     }
 }
 
-/// The corners of a box.
-fn corners_of(min: DVec3, max: DVec3) -> [DVec3; 8] {
-    std::array::from_fn(|k| {
-        let choose = |axis: usize| {
-            if k >> axis & 1 == 0 {
-                min[axis]
-            } else {
-                max[axis]
-            }
-        };
-        DVec3::new(choose(0), choose(1), choose(2))
-    })
-}
-
 impl PartBox {
     /// What visibility allows for around the box, metres before skinning.
     fn margin(&self) -> f64 {
         MARGIN + self.displacement + self.radius
+    }
+
+    /// What [`Visible::rect`] allows for around the box, metres before skinning; never less.
+    fn wide_margin(&self) -> f64 {
+        RECT_MARGIN + self.displacement + 2.0 * self.radius
     }
 
     fn new(avatar: &Avatar, part: usize, range: Range<usize>) -> Self {
@@ -441,14 +351,11 @@ impl PartBox {
             * longest_axis
             * radius_in_sigmas(255.0).unwrap_or_default();
 
-        let mut min = DVec3::INFINITY;
-        let mut max = DVec3::NEG_INFINITY;
+        let mut space = AxisBox::EMPTY;
         let mut displacement = 0.0f64;
         let mut weight = [0u8; 256];
         for gaussian in range {
-            let position = avatar.position(gaussian);
-            min = min.min(position);
-            max = max.max(position);
+            space.add(avatar.position(gaussian));
             for &node in &gaussians.node[gaussian] {
                 let offset = avatar.nodes.offset[usize::from(node)].map(f64::from);
                 displacement = displacement.max(DVec3::from(offset).length());
@@ -467,8 +374,7 @@ impl PartBox {
         let major_joints = joints.iter().filter(|joint| is_major(joint)).count();
         Self {
             part,
-            min,
-            max,
+            space,
             radius,
             displacement,
             joints,
@@ -476,63 +382,132 @@ impl PartBox {
         }
     }
 
-    /// Corners of the box as moved by each of the part's first `count` joints.
-    fn corners<'a>(
-        &'a self,
-        joints: &'a [DAffine3],
-        count: usize,
-    ) -> impl Iterator<Item = DVec3> + 'a {
-        let corners = corners_of(self.min, self.max);
-        self.joints[..count].iter().flat_map(move |&joint| {
-            corners.map(|corner| joints[usize::from(joint)].transform_point3(corner))
-        })
+    /// The joints of at least [`MIN_WEIGHT`].
+    fn major(&self) -> &[u8] {
+        &self.joints[..self.major_joints]
     }
 
-    /// The box as a camera sees it. `scale`: how much joints and camera enlarge lengths, at most;
-    /// `reach`: what the low-pass adds in the image, px.
-    fn project(
-        &self,
-        joints: &[DAffine3],
-        camera: &Camera,
-        scale: f64,
-        reach: f64,
-    ) -> ProjectedBox {
-        let margin = scale * self.margin();
-        let wide_margin = scale * (RECT_MARGIN + self.displacement + 2.0 * self.radius);
-        let mut projected = ProjectedBox {
-            tight: PlaneBox::EMPTY,
-            padded: PlaneBox::EMPTY,
-            crosses_near: false,
-            behind_near: true,
-        };
-        for corner in self.corners(joints, self.joints.len()) {
-            let p = camera.view.transform_point3(corner);
-            projected.crosses_near |= p.z - margin < camera.near;
-            projected.behind_near &= p.z + margin < camera.near;
-            let at = camera.project(p);
-            let radius = |margin| projected_radius(camera, p, margin) + reach;
-            projected.tight.add(at, radius(margin));
-            // A point nearer than its margin is wide may appear anywhere.
-            let wide_radius = if p.z - wide_margin < camera.near {
-                DVec2::INFINITY
-            } else {
-                radius(wide_margin)
-            };
-            projected.padded.add(at, wide_radius);
-        }
-        projected
+    /// The others.
+    fn minor(&self) -> &[u8] {
+        &self.joints[self.major_joints..]
     }
+
+    /// The smallest box around the part's as moved by each of these joints.
+    fn around(&self, joints: &[u8], movers: &[BoxMover]) -> AxisBox {
+        joints.iter().fold(AxisBox::EMPTY, |around, &joint| {
+            around.union(movers[usize::from(joint)].around(&self.space))
+        })
+    }
+}
+
+/// A part as joints move it and a camera sees it.
+struct MovedPart<'a> {
+    part: &'a PartBox,
+    /// Canonical space to the camera's, for each joint of the avatar.
+    movers: &'a [BoxMover],
+    camera: &'a Camera,
+    /// Around the box as moved by the part's major joints, in camera coordinates.
+    major: AxisBox,
+    /// As moved by all of its joints.
+    all: AxisBox,
+}
+
+impl<'a> MovedPart<'a> {
+    fn new(part: &'a PartBox, movers: &'a [BoxMover], camera: &'a Camera) -> Self {
+        let major = part.around(part.major(), movers);
+        Self {
+            part,
+            movers,
+            camera,
+            major,
+            all: major.union(part.around(part.minor(), movers)),
+        }
+    }
+
+    /// Whether nothing of the part can be in an image of this size. `margin`: what visibility
+    /// allows for around it, metres; `reach`: what the low-pass adds, px; `bare`: a bound of where
+    /// its major joints move it.
+    fn is_outside(&self, margin: f64, reach: f64, bare: &PlaneBox, size: UVec2) -> bool {
+        if self.is_near(margin) {
+            // The projection says nothing about points that near: only where all of them are.
+            return self.all.max.z + margin < self.camera.near;
+        }
+        if bare.is_inside(size) {
+            return false;
+        }
+        if self.bound(margin, reach).is_outside(size) {
+            return true;
+        }
+        let mut projected = PlaneBox::EMPTY;
+        for p in self.corners(&self.part.joints) {
+            projected = projected.union(PlaneBox::around(p, self.camera, margin, reach));
+            if !projected.is_outside(size) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Whether some of the part, with a margin in metres, may be nearer than the near plane.
+    fn is_near(&self, margin: f64) -> bool {
+        self.all.min.z - margin < self.camera.near
+    }
+
+    /// A box around [`Self::project`].
+    fn bound(&self, margin: f64, reach: f64) -> PlaneBox {
+        if self.is_near(margin) {
+            return PlaneBox::EVERYWHERE;
+        }
+        self.all.projection_bound(self.camera, margin, reach)
+    }
+
+    /// Encloses the part in the plane of the image, with a margin in metres and what the low-pass
+    /// adds, px. What is nearer than its margin is wide may appear anywhere.
+    fn project(&self, margin: f64, reach: f64) -> PlaneBox {
+        if self.is_near(margin) {
+            return PlaneBox::EVERYWHERE;
+        }
+        self.project_corners(&self.part.joints, margin, reach)
+    }
+
+    /// Encloses what major joints move, without a margin. None of it is nearer than the near plane.
+    fn project_major(&self) -> PlaneBox {
+        self.project_corners(self.part.major(), 0.0, 0.0)
+    }
+
+    /// Corners of the box as moved by each of these joints, in camera coordinates.
+    fn corners(&self, joints: &[u8]) -> impl Iterator<Item = DVec3> {
+        joints
+            .iter()
+            .flat_map(|&joint| self.movers[usize::from(joint)].corners(self.part.space))
+    }
+
+    fn project_corners(&self, joints: &[u8], margin: f64, reach: f64) -> PlaneBox {
+        self.corners(joints).fold(PlaneBox::EMPTY, |projected, p| {
+            projected.union(PlaneBox::around(p, self.camera, margin, reach))
+        })
+    }
+}
+
+/// [`Visible::depth`] of what is in a box in camera coordinates. `margin`: [`margin()`] of the
+/// joints.
+fn depth_range(body: &AxisBox, margin: f64, camera: &Camera) -> [f64; 2] {
+    let margin = margin * camera.view.matrix3.row(2).length();
+    let near = if body.min.z.is_finite() {
+        (body.min.z - margin).max(camera.near)
+    } else {
+        camera.near
+    };
+    // At least a hundredth of the margin deep, and more than f32 can tell apart.
+    let far = (body.max.z + margin)
+        .max(near + 0.02 * margin)
+        .max(near * (1.0 + 1e-6));
+    [near, far]
 }
 
 /// How far a Gaussian without extent reaches in the image, px.
 fn reach_of(filter: Filter) -> f64 {
     FILTER_REACH * (filter.variance / Filter::DEFAULT.variance).sqrt().max(1.0)
-}
-
-/// How far from a point's projection anything within `margin` metres of the point may appear, px.
-/// `p`: in camera coordinates, further than `margin` from the camera.
-fn projected_radius(camera: &Camera, p: DVec3, margin: f64) -> DVec2 {
-    margin * camera.focal / (p.z - margin) * (1.0 + (p.truncate() / p.z).abs())
 }
 
 /// Widens a box to at least the size of a standing person, so that images of one clip have one
@@ -563,4 +538,203 @@ fn margin(joints: &[DAffine3]) -> f64 {
             .map(|column| column.length_squared())
             .fold(0.0, f64::max)
             .sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+    use glam::{DMat3, DQuat};
+
+    /// What [`AvatarBounds::visible`] promises, from every corner of every box, step by step.
+    struct Plain {
+        visible: Visible,
+        bounds: [DVec3; 2],
+    }
+
+    fn corners(part: &PartBox, joints: &[DAffine3], count: usize) -> Vec<DVec3> {
+        let moved = |&joint: &u8| {
+            let corners = part.space.corners();
+            corners.map(move |corner| joints[usize::from(joint)].transform_point3(corner))
+        };
+        part.joints[..count].iter().flat_map(moved).collect()
+    }
+
+    /// [`PlaneBox::around`], nearer than the margin too.
+    fn around(p: DVec3, camera: &Camera, margin: f64, reach: f64) -> PlaneBox {
+        if p.z - margin < camera.near {
+            return PlaneBox::EVERYWHERE;
+        }
+        let at = camera.project(p);
+        let radius = margin * camera.focal / (p.z - margin) * (1.0 + (p.truncate() / p.z).abs());
+        PlaneBox {
+            min: at - radius - reach,
+            max: at + radius + reach,
+        }
+    }
+
+    impl Plain {
+        fn new(of: &AvatarBounds, joints: &[DAffine3], camera: &Camera) -> Self {
+            let size = UVec2::from(camera.size);
+            let scale = enlargement(joints) * enlargement(&[camera.view]);
+            let reach = reach_of(of.filter);
+            let mut parts = PartSet::EMPTY;
+            let mut rect = PixelRect::EMPTY;
+            let mut all = PlaneBox::EMPTY;
+            let mut bare = PlaneBox::EMPTY;
+            let mut body = AxisBox::EMPTY;
+            let mut bounds = AxisBox::EMPTY;
+            for part in &of.parts {
+                for corner in corners(part, joints, part.major_joints) {
+                    let p = camera.view.transform_point3(corner);
+                    bounds.add(corner);
+                    body.add(p);
+                    bare = bare.union(around(p, camera, 0.0, 0.0));
+                }
+                let mut tight = PlaneBox::EMPTY;
+                let mut padded = PlaneBox::EMPTY;
+                let mut crosses_near = false;
+                let mut behind_near = true;
+                let margin = scale * part.margin();
+                for corner in corners(part, joints, part.joints.len()) {
+                    let p = camera.view.transform_point3(corner);
+                    crosses_near |= p.z - margin < camera.near;
+                    behind_near &= p.z + margin < camera.near;
+                    tight = tight.union(around(p, camera, margin, reach));
+                    padded = padded.union(around(p, camera, scale * part.wide_margin(), reach));
+                }
+                all = all.union(padded);
+                let outside = if crosses_near {
+                    behind_near
+                } else {
+                    tight.is_outside(size)
+                };
+                if !outside {
+                    parts.insert(part.part);
+                    rect = rect.union(padded.within(size));
+                }
+            }
+            let margin = margin(joints);
+            Self {
+                visible: Visible {
+                    parts,
+                    rect,
+                    around: all.pixels(),
+                    sides: (body.min.z >= camera.near).then(|| bare.max - bare.min),
+                    depth: depth_range(&body, margin, camera),
+                },
+                bounds: [bounds.min - margin, bounds.max + margin],
+            }
+        }
+    }
+
+    fn point(random: &mut Random, within: f64) -> DVec3 {
+        DVec3::from_array(std::array::from_fn(|_| random.range(-within, within)))
+    }
+
+    /// Boxes of a body about as large as a person, each moved by one to four of so many joints.
+    fn body(random: &mut Random, joints: usize) -> AvatarBounds {
+        let mut part = |part| {
+            let min = point(random, 0.8);
+            let mut pick = || (random.uniform() * joints as f64) as u8;
+            let mut joints = vec![pick(), pick(), pick(), pick()];
+            joints.truncate(1 + part % 4);
+            PartBox {
+                part,
+                space: AxisBox {
+                    min,
+                    max: min + random.range(0.0, 0.2) * point(random, 1.0).abs(),
+                },
+                radius: random.range(0.0, 0.05),
+                displacement: random.range(0.0, 0.02),
+                major_joints: joints.len().min(3),
+                joints,
+            }
+        };
+        let parts: Vec<PartBox> = (0..60).map(&mut part).collect();
+        AvatarBounds {
+            joints: JointBox::of(&parts),
+            margin: parts.iter().map(PartBox::margin).fold(0.0, f64::max),
+            parts,
+            pose_shape: PoseShape {
+                joints,
+                inputs: 0,
+                expression: 0,
+            },
+            gaussians: 0,
+            filter: Filter::DEFAULT,
+            levels: vec![],
+        }
+    }
+
+    /// Joints that turn and stretch what they move, `stretch` times at most.
+    fn pose(random: &mut Random, joints: usize, stretch: f64) -> Vec<DAffine3> {
+        let mut joint = || {
+            let turn = DQuat::from_scaled_axis(random.range(0.0, 1.0) * random.direction());
+            let stretch = DVec3::splat(stretch) - stretch * point(random, 0.2).abs();
+            let linear = DMat3::from_quat(turn) * DMat3::from_diagonal(stretch);
+            DAffine3::from_mat3_translation(linear, stretch * point(random, 0.1))
+        };
+        (0..joints).map(|_| joint()).collect()
+    }
+
+    /// A camera somewhere inside or outside the body, which may look past it.
+    fn camera(random: &mut Random, stretch: f64) -> Camera {
+        let distance = stretch.max(1e-3) * (10.0 * random.uniform().powi(2));
+        let eye = distance * random.direction();
+        let fov = random.range(0.1, 2.0);
+        let target = stretch * point(random, 1.0);
+        let mut camera = Camera::look_at(eye, target, fov, [640, 360]);
+        camera.center += DVec2::new(random.range(-200.0, 200.0), random.range(-200.0, 200.0));
+        camera.focal.x *= random.range(0.5, 2.0);
+        camera.view.matrix3 *= random.range(0.5, 1.5);
+        camera.near = stretch.max(1e-3) * random.range(1e-6, 0.3);
+        camera
+    }
+
+    #[test]
+    fn the_walk_says_what_every_corner_says() {
+        // Of how many scenes the numbers are: none, some and all parts in view, across the near
+        // plane, bounded in the plane.
+        let mut seen = [0; 5];
+        for seed in 0..6000 {
+            let random = &mut Random::new(1, seed);
+            let stretch = [1.0, 1.0, 1.0, 1e5, 1e-4, 0.0][seed as usize % 6];
+            let bounds = body(random, 12);
+            let joints = pose(random, 12, stretch);
+            let camera = camera(random, stretch);
+            let plain = Plain::new(&bounds, &joints, &camera);
+            let visible = bounds.visible(&joints, &camera);
+            let expected = &plain.visible;
+            assert_eq!(visible.parts, expected.parts, "seed {seed}");
+            assert_eq!(visible.rect, expected.rect, "seed {seed}");
+            assert_eq!(visible.around, expected.around, "seed {seed}");
+            assert_eq!(visible.sides.is_some(), expected.sides.is_some());
+            let largest = expected.sides.unwrap_or_default().max_element();
+            let off = visible.sides.unwrap_or_default() - expected.sides.unwrap_or_default();
+            assert!(
+                off.abs().max_element() <= 1e-12 * largest,
+                "seed {seed}: {off} of {largest}"
+            );
+            for (own, expected) in visible.depth.iter().zip(expected.depth) {
+                assert!((own - expected).abs() <= 1e-12 * expected, "seed {seed}");
+            }
+            for (own, expected) in bounds.bounds(&joints).iter().zip(plain.bounds) {
+                let off = (own - expected).abs().max_element();
+                assert!(off <= 1e-12 * stretch, "seed {seed}: {off} m");
+            }
+            let parts = visible.parts.len();
+            let kinds = [
+                parts == 0,
+                (1..60).contains(&parts),
+                parts == 60,
+                visible.sides.is_none(),
+                visible.around.is_some(),
+            ];
+            for (seen, kind) in seen.iter_mut().zip(kinds) {
+                *seen += usize::from(kind);
+            }
+        }
+        assert!(seen.iter().all(|&scenes| scenes > 200), "{seen:?}");
+    }
 }
