@@ -43,17 +43,20 @@ strip -o "$tree/bin/effigy" "$EFFIGY"
 strip -o "$tree/bin/gpu-tests" "$tests"
 cp tools/gpu/run.sh "$tree/run.sh"
 
-# The Vulkan loader, and what NVIDIA's driver wants beside it. Of these the machine's own are as good.
+# The Vulkan loader, and what NVIDIA's driver wants beside it: X11's, and those two of GLVND without which its Vulkan has no
+# vkCreateInstance (an H200 in a container, driver 580). Of these the machine's own are as good.
 library() { # NAME: its path here
   # All of the list is read: what writes it would end with an error otherwise.
   ldconfig -p | awk -v name="$1" '$1 == name && /x86-64/ && !path { path = $NF } END { print path }'
 }
-for name in libvulkan.so.1 libX11.so.6 libXext.so.6 libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0; do
+for name in libvulkan.so.1 libX11.so.6 libXext.so.6 libxcb.so.1 libXau.so.6 libXdmcp.so.6 libbsd.so.0 libmd.so.0 libEGL.so.1 libGLdispatch.so.0; do
   path=$(library "$name")
   if [ -n "$path" ]; then
     cp -L "$path" "$tree/lib/$name"
   elif [ "$name" = libvulkan.so.1 ]; then
     echo "there is no Vulkan loader here to put into the bundle" >&2; exit 1
+  else
+    echo "the bundle has no $name: there is none here" >&2
   fi
 done
 # Their manifest names the layer's library by its place here.

@@ -22,11 +22,18 @@ void main() {
     }
     barrier();
     uint end = min((block + 1u) * BIN_BLOCK, control.visible_count);
+    uint own[BIN_SIDES];
+    for (uint k = 0u; k < BIN_SIDES; ++k) {
+        own[k] = 0u;
+    }
     for (uint place = block * BIN_BLOCK + thread; place < end; place += BIN_WORKGROUP) {
         Box box = box_of(splat_at(place));
         for (uint k = 0u; k < BIN_SIDES; ++k) {
-            atomicAdd(sums[k], pairs_of(box, k));
+            own[k] += pairs_of(box, k);
         }
+    }
+    for (uint k = 0u; k < BIN_SIDES; ++k) {
+        atomicAdd(sums[k], own[k]);
     }
     barrier();
     for (uint k = thread; k < BIN_SIDES; k += BIN_WORKGROUP) {

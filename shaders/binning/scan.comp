@@ -22,13 +22,19 @@ void main() {
         totals[k] = 0u;
     }
     barrier();
+    uint own[BIN_SIDES];
     for (uint k = 0u; k < BIN_SIDES; ++k) {
-        uint sum = 0u;
-        for (uint block = thread; block < blocks; block += BIN_WORKGROUP) {
-            sum += bins[COUNTS_START + block * BIN_SIDES + k];
+        own[k] = 0u;
+    }
+    // All sides of a block together: one after another, each read would wait for memory.
+    for (uint block = thread; block < blocks; block += BIN_WORKGROUP) {
+        for (uint k = 0u; k < BIN_SIDES; ++k) {
+            own[k] += bins[COUNTS_START + block * BIN_SIDES + k];
         }
+    }
+    for (uint k = 0u; k < BIN_SIDES; ++k) {
         // A sum that overflows is no sum that fits.
-        atomicAdd(totals[k], min(sum, (1u << 24u) - 1u));
+        atomicAdd(totals[k], min(own[k], (1u << 24u) - 1u));
     }
     barrier();
     uint shift = BIN_SIDES - 1u;

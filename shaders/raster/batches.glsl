@@ -4,14 +4,14 @@
 // it. It needs no subgroups.
 //
 // The including shader declares what it writes before this file, and defines REGION, the side of
-// the region that a workgroup draws, px; STEP, the distance of its samples, px; and MARKS if splats
-// are marked and their keys needed. An invocation has 2 by 2 samples.
+// the region that a workgroup draws, px; STEP, the distance of its samples, px; GROUP, its
+// invocations, which have 2 by 2 samples each; and MARKS if splats are marked and their keys needed.
 #include "common/platform.glsl"
 #include "common/frame.glsl"
 #include "common/splat.glsl"
 #include "common/control.glsl"
 
-layout(local_size_x = RASTER_WORKGROUP) in;
+layout(local_size_x = GROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 3) readonly buffer Sorted { uint sorted[]; };
@@ -44,11 +44,11 @@ const float EXPONENT_SLACK = 1.0 / 256.0;
 // The batch: of each splat the centre, in px from the region's corner; the matrix from px to
 // deviations; the exponent of its opacity, and its colour, 10 bits a channel. With MARKS it has the
 // splat's word (common/saturation.glsl) in place of the colour.
-shared vec4 batch_place[RASTER_WORKGROUP];
-shared vec4 batch_shape[RASTER_WORKGROUP];
+shared vec4 batch_place[GROUP];
+shared vec4 batch_shape[GROUP];
 #ifdef MARKS
 // Whether an invocation that was not saturated came to the splat.
-shared uint batch_seen[RASTER_WORKGROUP];
+shared uint batch_seen[GROUP];
 #endif
 // Whether some invocation has a sample that is not saturated. It is no array: on WebGPU a read of it
 // is one that all invocations make together (tools/shaders/wgsl.rs).
@@ -56,11 +56,8 @@ shared uint batch_open;
 
 // A splat of the batch as an invocation sees it.
 struct Seen {
-    // Deviation at the first sample, and from a sample to the next.
-    vec2 deviation;
-    vec2 right;
-    vec2 down;
-    float exponent;
+    // At the first sample, the one to its right, and the two below; 0 under the cutoff.
+    vec4 opacity;
     uint word;
 };
 
@@ -76,15 +73,12 @@ struct Ellipse {
     float most;
 };
 
-#ifdef MARKS
-#include "raster/hits_rows.glsl"
-#else
-#include "raster/hits_quarters.glsl"
-#endif
+#include "raster/hits.glsl"
 
-// Puts a splat into the batch if it meets the region whose corner is at `corner`, px.
-void load(uint thread, uint i, vec2 corner) {
-    Splat splat = unpack_splat(splats[i]);
+// Puts splat `i`, which is `packed`, into the batch if it meets the region whose corner is at
+// `corner`, px.
+void load(uint thread, uint i, uvec4 packed, vec2 corner) {
+    Splat splat = unpack_splat(packed);
     float inverse = 1.0 / dot(splat.axis, splat.axis);
     vec2 along = DEVIATION_UNIT * inverse * splat.axis;
     vec2 across = DEVIATION_UNIT * sqrt(inverse) / splat.shorter *
@@ -110,21 +104,22 @@ void load(uint thread, uint i, vec2 corner) {
     batch_shape[thread] = vec4(across, exponent, uintBitsToFloat(word));
 }
 
-// `first`: an invocation's first sample, px from the region's corner.
-Seen see(uint k, vec2 first) {
-    vec4 place = batch_place[k], shape = batch_shape[k];
-    vec2 from = first - place.xy;
-    Seen seen;
-    seen.deviation = vec2(dot(from, place.zw), dot(from, shape.xy));
-    seen.right = float(STEP) * vec2(place.z, shape.x);
-    seen.down = float(STEP) * vec2(place.w, shape.y);
-    seen.exponent = shape.z;
-    seen.word = floatBitsToUint(shape.w);
-    return seen;
-}
-
 // Opacity of a splat at a deviation; 0 under the cutoff.
 float opacity_at(vec2 deviation, float exponent) {
     float power = exponent - dot(deviation, deviation);
     return power >= CUTOFF_EXPONENT ? min(ALPHA_MAX, exp2(power)) : 0.0;
+}
+
+// `first`: an invocation's first sample, px from the region's corner.
+Seen see(uint k, vec2 first) {
+    vec4 place = batch_place[k], shape = batch_shape[k];
+    vec2 from = first - place.xy;
+    vec2 deviation = vec2(dot(from, place.zw), dot(from, shape.xy));
+    vec2 right = deviation + float(STEP) * vec2(place.z, shape.x);
+    vec2 down = float(STEP) * vec2(place.w, shape.y);
+    Seen seen;
+    seen.opacity = vec4(opacity_at(deviation, shape.z), opacity_at(right, shape.z),
+                        opacity_at(deviation + down, shape.z), opacity_at(right + down, shape.z));
+    seen.word = floatBitsToUint(shape.w);
+    return seen;
 }

@@ -6,9 +6,9 @@ bool is_drawn(uvec2 corner) {
                                       all(lessThan(at, frame.area.zw)));
 }
 
-// The place of an invocation in its workgroup, 8 by 8. Neighbours in a subgroup of any size are
-// neighbours in the image: the bits of the index are, from the lowest, x y x y x y.
+// The place of an invocation in its workgroup, 8 by 8 or 16 by 16. Neighbours in a subgroup of any
+// size are neighbours in the image: the bits of the index are, from the lowest, x y x y x y x y.
 uvec2 place_of(uint index) {
-    return uvec2((index & 1u) | (index >> 1u & 2u) | (index >> 2u & 4u),
-                 (index >> 1u & 1u) | (index >> 2u & 2u) | (index >> 3u & 4u));
+    uvec2 bits = uvec2(index, index >> 1u);
+    return bits & 1u | bits >> 1u & 2u | bits >> 2u & 4u | bits >> 3u & 8u;
 }

@@ -1,7 +1,8 @@
-// The tile rasterizer for GPUs: a workgroup draws a region of 16 by 16 px, an invocation 2 by 2,
-// from the list of the bin that the region lies in (batches.glsl).
+// The tile rasterizer for GPUs: a workgroup draws a region, an invocation 2 by 2 px, from the list of
+// the bin that the region lies in (batches.glsl).
 #define REGION SHARED_REGION
 #define STEP 1u
+#define GROUP SHARED_WORKGROUP
 #include "raster/batches.glsl"
 #include "raster/filled.glsl"
 
@@ -12,22 +13,15 @@ struct Samples {
     uint evaluated;
 };
 
-void blend_pixel(inout vec4 pixel, vec2 deviation, float exponent, vec3 color) {
-    float share = opacity_at(deviation, exponent) * pixel.a;
-    pixel = vec4(pixel.rgb + share * color, pixel.a - share);
-}
-
-void blend(inout Samples samples, uint k, vec2 first) {
-    Seen seen = see(k, first);
+void blend(inout Samples samples, Seen seen) {
     vec3 color = vec3(seen.word & 1023u, seen.word >> 10u & 1023u, seen.word >> 20u);
-    vec2 right = seen.deviation + seen.right;
-    blend_pixel(samples.pixels[0], seen.deviation, seen.exponent, color);
-    blend_pixel(samples.pixels[1], right, seen.exponent, color);
-    blend_pixel(samples.pixels[2], seen.deviation + seen.down, seen.exponent, color);
-    blend_pixel(samples.pixels[3], right + seen.down, seen.exponent, color);
+    for (uint p = 0u; p < 4u; ++p) {
+        vec4 pixel = samples.pixels[p];
+        float share = seen.opacity[p] * pixel.a;
+        samples.pixels[p] = vec4(pixel.rgb + share * color, pixel.a - share);
+    }
     samples.open = max(max(samples.pixels[0].a, samples.pixels[1].a),
                        max(samples.pixels[2].a, samples.pixels[3].a)) >= SATURATION;
-    samples.evaluated += 4u;
 }
 
 #include "raster/batches_main.glsl"

@@ -7,6 +7,7 @@
 layout(set = 0, binding = 5, r32ui) writeonly uniform uimage2D saturated;
 #define REGION SATURATION_REGION
 #define STEP 2u
+#define GROUP RASTER_WORKGROUP
 #define MARKS
 #include "raster/batches.glsl"
 
@@ -19,23 +20,15 @@ struct Samples {
     uint evaluated;
 };
 
-void blend_sample(inout float light, inout uint word, vec2 deviation, float exponent, uint own) {
-    float behind = light - light * opacity_at(deviation, exponent);
-    word = light >= SATURATION && behind < SATURATION ? own : word;
-    light = behind;
-}
-
-void blend(inout Samples samples, uint k, vec2 first) {
-    Seen seen = see(k, first);
-    vec2 right = seen.deviation + seen.right;
-    blend_sample(samples.light[0], samples.word[0], seen.deviation, seen.exponent, seen.word);
-    blend_sample(samples.light[1], samples.word[1], right, seen.exponent, seen.word);
-    blend_sample(samples.light[2], samples.word[2], seen.deviation + seen.down, seen.exponent,
-                 seen.word);
-    blend_sample(samples.light[3], samples.word[3], right + seen.down, seen.exponent, seen.word);
+void blend(inout Samples samples, Seen seen) {
+    for (uint s = 0u; s < 4u; ++s) {
+        float light = samples.light[s];
+        float behind = light - light * seen.opacity[s];
+        samples.word[s] = light >= SATURATION && behind < SATURATION ? seen.word : samples.word[s];
+        samples.light[s] = behind;
+    }
     samples.open = max(max(samples.light[0], samples.light[1]),
                        max(samples.light[2], samples.light[3])) >= SATURATION;
-    samples.evaluated += 4u;
 }
 
 #include "raster/batches_main.glsl"

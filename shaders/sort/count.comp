@@ -23,10 +23,17 @@ void main() {
         }
     }
     barrier();
-    for (uint at = tile * TILE + thread; at < min(end, (tile + 1u) * TILE); at += SORT_WORKGROUP) {
-        uint key = key_at(at);
-        if (is_kept(key)) {
-            atomicAdd(count[digit_of(key)], 1u);
+    uint last = min(end, (tile + 1u) * TILE);
+    for (uint from = tile * TILE + thread; from < last; from += ROWS * SORT_WORKGROUP) {
+        uint keys[ROWS];
+        for (uint r = 0u; r < ROWS; ++r) {
+            uint at = from + r * SORT_WORKGROUP;
+            keys[r] = at < last ? key_at(at) : 0u;
+        }
+        for (uint r = 0u; r < ROWS; ++r) {
+            if (from + r * SORT_WORKGROUP < last && is_kept(keys[r])) {
+                atomicAdd(count[digit_of(keys[r])], 1u);
+            }
         }
     }
     barrier();

@@ -5,6 +5,11 @@
 // digits of each; own_end, the same as a loop's end; and own_offset() and set_own_offset(), which
 // read and write the offset of an invocation's k-th digit.
 shared uint sums[THREADS];
+// Rows that are read at a time. With 8, Mali's 64 registers don't hold a tile's entries too.
+const uint SUMMED_ROWS = 4u;
+// Of each BLOCK invocations.
+const uint BLOCK = THREADS < 16u ? THREADS : 16u;
+shared uint block_sums[THREADS / BLOCK];
 
 // Adds the number of entries of lower digits to the offsets. `total`: entries of an invocation's
 // own digits. Gives the number of entries up to and with its own. Its barriers also order the
@@ -12,8 +17,19 @@ shared uint sums[THREADS];
 uint add_lower_digits(uint thread, uint total) {
     sums[thread] = total;
     barrier();
+    if (thread < THREADS / BLOCK) {
+        uint sum = 0u;
+        for (uint t = 0u; t < BLOCK; ++t) {
+            sum += sums[thread * BLOCK + t];
+        }
+        block_sums[thread] = sum;
+    }
+    barrier();
     uint lower = 0u;
-    for (uint t = 0u; t < thread; ++t) {
+    for (uint b = 0u; b < thread / BLOCK; ++b) {
+        lower += block_sums[b];
+    }
+    for (uint t = thread / BLOCK * BLOCK; t < thread; ++t) {
         lower += sums[t];
     }
     for (uint c = 0u; c < own_end; ++c) {
@@ -30,11 +46,15 @@ void sum_rows(uint thread, uint at, uint row, uint rows) {
     for (uint c = 0u; c < own_end; ++c) {
         uint digit = thread * OWN + c;
         uint before = 0u, after = 0u;
-        for (uint r = 0u; r < row; ++r) {
-            before += counts[at + r * SORT_DIGITS + digit];
-        }
-        for (uint r = row; r < rows; ++r) {
-            after += counts[at + r * SORT_DIGITS + digit];
+        for (uint first = 0u; first < rows; first += SUMMED_ROWS) {
+            uint found[SUMMED_ROWS];
+            for (uint r = 0u; r < SUMMED_ROWS; ++r) {
+                found[r] = first + r < rows ? counts[at + (first + r) * SORT_DIGITS + digit] : 0u;
+            }
+            for (uint r = 0u; r < SUMMED_ROWS; ++r) {
+                before += first + r < row ? found[r] : 0u;
+                after += first + r < row ? 0u : found[r];
+            }
         }
         set_own_offset(c, before + total);
         total += before + after;

@@ -9,6 +9,7 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #define THREADS SORT_WORKGROUP
+#define SHARED_COUNTS
 #include "sort/pass.glsl"
 #include "sort/entries.glsl"
 #include "sort/output.glsl"
@@ -21,6 +22,8 @@ PARAMETER(7, uint, STALL, 0u)
 // Whether loops over an invocation's entries have a length that compilers know: it saves registers
 // on a GPU and costs seconds of compiling on a CPU.
 PARAMETER(8, bool, UNROLLED, true)
+// Earlier tiles whose counts are read at a time.
+PARAMETER(10, uint, LOOK, 8u)
 const uint ROUNDS = SORT_ONESWEEP_TILE / THREADS;
 // Counters of a digit in the tile: a column for each subgroup. If there are more subgroups,
 // neighbours share a column and take turns.
@@ -46,19 +49,31 @@ uint counter(uint at, uint digit) {
 }
 
 // Adds the counts of the tiles before `walk`, and moves it down to 0. False if it polled too often.
+// It reads several tiles at a time: tiles that began together have counts and no sums yet, and a walk
+// that reads one after another waits for memory once a tile. A word has both the count and whether it
+// is there, so that plain reads do, which cost a GPU's caches far less than atomic ones.
 bool look_back(uint digit, inout uint walk, inout uint before) {
     uint polls = 0u;
     while (walk > 0u) {
-        uint word = atomicOr(counts[status_at(walk - 1u, digit)], 0u);
-        if (word < COUNTED) {
-            if (++polls >= SORT_POLLS) {
-                return false;
-            }
-            continue;
+        uint words[LOOK];
+        for (uint w = 0u; w < LOOK; ++w) {
+            words[w] = w < walk ? counts[status_at(walk - 1u - w, digit)] : 0u;
         }
-        polls = 0u;
-        before += word & NUMBER;
-        walk = word >= SUMMED ? 0u : walk - 1u;
+        uint from = walk;
+        for (uint w = 0u; w < LOOK; ++w) {
+            if (words[w] < COUNTED) {
+                break;
+            }
+            before += words[w] & NUMBER;
+            walk = words[w] >= SUMMED ? 0u : walk - 1u;
+            if (walk == 0u) {
+                break;
+            }
+        }
+        polls = walk == from ? polls + 1u : 0u;
+        if (polls >= SORT_POLLS) {
+            return false;
+        }
     }
     return true;
 }

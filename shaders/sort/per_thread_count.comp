@@ -1,7 +1,7 @@
 // `count` with counters of its own for each invocation.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PER_THREAD
+#define SHARED_COUNTS
 #include "sort/pass.glsl"
 #include "sort/entries.glsl"
 #include "sort/per_thread.glsl"

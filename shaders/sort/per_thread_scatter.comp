@@ -4,7 +4,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define THREADS SORT_RUNS
-#define PER_THREAD
+#define SHARED_COUNTS
 #include "sort/pass.glsl"
 #include "sort/entries.glsl"
 #include "sort/output.glsl"

@@ -11,9 +11,15 @@ void main() {
     uint group = gl_WorkGroupID.x;
     uint tiles = tiles_of(entry_count());
     for (uint d = gl_LocalInvocationID.x; d < SORT_DIGITS; d += SORT_WORKGROUP) {
-        uint sum = 0u;
-        for (uint tile = group * SORT_GROUP; tile < min(tiles, (group + 1u) * SORT_GROUP); ++tile) {
-            sum += counts[tile * SORT_DIGITS + d];
+        uint sum = 0u, end = min(tiles, (group + 1u) * SORT_GROUP);
+        for (uint tile = group * SORT_GROUP; tile < end; tile += ROWS) {
+            uint found[ROWS];
+            for (uint r = 0u; r < ROWS; ++r) {
+                found[r] = tile + r < end ? counts[(tile + r) * SORT_DIGITS + d] : 0u;
+            }
+            for (uint r = 0u; r < ROWS; ++r) {
+                sum += found[r];
+            }
         }
         counts[GROUPS_START + group * SORT_DIGITS + d] = sum;
     }

@@ -19,11 +19,18 @@ void main() {
     }
     sum_rows(thread, GROUPS_START, group, groups);
     for (uint d = thread; d < SORT_DIGITS; d += THREADS) {
-        uint next = offset[d];
-        for (uint tile = group * SORT_GROUP; tile < min(tiles, (group + 1u) * SORT_GROUP); ++tile) {
-            uint count = counts[tile * SORT_DIGITS + d];
-            counts[tile * SORT_DIGITS + d] = next;
-            next += count;
+        uint next = offset[d], end = min(tiles, (group + 1u) * SORT_GROUP);
+        for (uint tile = group * SORT_GROUP; tile < end; tile += ROWS) {
+            uint found[ROWS];
+            for (uint r = 0u; r < ROWS; ++r) {
+                found[r] = tile + r < end ? counts[(tile + r) * SORT_DIGITS + d] : 0u;
+            }
+            for (uint r = 0u; r < ROWS; ++r) {
+                if (tile + r < end) {
+                    counts[(tile + r) * SORT_DIGITS + d] = next;
+                }
+                next += found[r];
+            }
         }
     }
 }

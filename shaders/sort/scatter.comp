@@ -30,15 +30,15 @@ void main() {
     uint own = thread / 32u;
     uint lower = (1u << (thread & 31u)) - 1u;
     uint last = min(end, (tile + 1u) * TILE);
+    // Each key is read a round ahead.
+    uint ahead = tile * TILE + thread < last ? key_at(tile * TILE + thread) : 0u;
     for (uint from = tile * TILE, round = 0u; from < last; from += THREADS, ++round) {
         uint at = from + thread;
         uint set = (round & 1u) * MASKS * SORT_DIGITS;
-        uint key = 0u, digit = 0u, rank = 0u, total = 0u;
-        bool present = at < last;
-        if (present) {
-            key = key_at(at);
-            present = is_kept(key);
-            digit = digit_of(key);
+        uint key = ahead, digit = digit_of(key), rank = 0u, total = 0u;
+        bool present = at < last && is_kept(key);
+        if (at + THREADS < last) {
+            ahead = key_at(at + THREADS);
         }
         if (present) {
             atomicOr(mask[set + own * SORT_DIGITS + digit], 1u << (thread & 31u));

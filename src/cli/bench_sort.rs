@@ -8,14 +8,27 @@ use crate::{
 use anyhow::ensure;
 use effigy::vulkan::{
     Gpu,
-    sort::{self, KeyBits, SortOptions, SortVariant, choice::choose, standalone::StandaloneSort},
+    sort::{
+        self, KeyBits, SortOptions, SortVariant,
+        choice::choose,
+        standalone::{self, StandaloneSort},
+    },
 };
 use effigy_core::random::hash;
 use effigy_measure::{
     report::{DeviceReport, Program, bits_of_keys},
     sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name},
 };
-use std::{iter, path::PathBuf, sync::Arc};
+use std::{
+    iter,
+    path::PathBuf,
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+/// For how long each sort runs before it is timed: a GPU that waited for the CPU's comparison takes so
+/// long to raise its clocks.
+const WARM_UP: Duration = Duration::from_millis(500);
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -37,8 +50,8 @@ pub struct Args {
     /// request
     #[arg(long)]
     subgroups: bool,
-    /// Times that each sort is run, 1 or more; the median counts
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..))]
+    /// Times that each sort is run, 1 or more, after a warm-up of 0.5 s; the median counts
+    #[arg(long, value_name = "N", default_value_t = 21, value_parser = clap::value_parser!(u16).range(1..))]
     runs: u16,
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE")]
@@ -163,9 +176,14 @@ fn measure_all(
         let counts = iter::successors(Some(args.min_keys), |count| count.checked_mul(4));
         for count in counts.take_while(|&count| count <= args.max_keys) {
             let keys = keys(count);
+            let sorted = Keys {
+                order: standalone::expected(&keys, bits),
+                keys,
+                bits,
+            };
             print!("{count:>9} {:>4}", bits_of_keys(bits));
             for contender in contenders {
-                let row = row(gpu, &keys, bits, contender, args.runs);
+                let row = row(gpu, &sorted, contender, args.runs);
                 match row.speed {
                     Some(speed) => print!(" {:>10.2}", speed.mkeys_per_s),
                     None => print!(" {:>10}", "–"),
@@ -181,25 +199,31 @@ fn measure_all(
     Ok(())
 }
 
+/// What is sorted.
+struct Keys {
+    keys: Vec<u32>,
+    bits: KeyBits,
+    /// The order that a sort must give.
+    order: Vec<u32>,
+}
+
 /// Checks and measures one sort; the row holds its times, or how it failed.
-fn row(gpu: &Arc<Gpu>, keys: &[u32], bits: KeyBits, contender: &Contender, runs: u16) -> SortRow {
+fn row(gpu: &Arc<Gpu>, keys: &Keys, contender: &Contender, runs: u16) -> SortRow {
     let options = SortOptions {
         subgroup: contender.subgroup,
-        ..SortOptions::new(bits, contender.variant)
+        ..SortOptions::new(keys.bits, contender.variant)
     };
+    let count = keys.keys.len();
     let (speed, failed) = match measure(gpu, keys, options, runs) {
         Ok(speed) => (Some(speed), None),
         Err(error) => {
             let name = contender.name();
-            (
-                None,
-                Some(format!("{} keys, {name}: {error:#}", keys.len())),
-            )
+            (None, Some(format!("{count} keys, {name}: {error:#}")))
         }
     };
     SortRow {
-        keys: keys.len(),
-        bits: bits_of_keys(bits),
+        keys: count,
+        bits: bits_of_keys(keys.bits),
         variant: contender.variant.name().to_owned(),
         subgroup: contender.subgroup,
         speed,
@@ -210,15 +234,20 @@ fn row(gpu: &Arc<Gpu>, keys: &[u32], bits: KeyBits, contender: &Contender, runs:
 /// Speed of the median run of a sort that is right.
 fn measure(
     gpu: &Arc<Gpu>,
-    keys: &[u32],
+    keys: &Keys,
     options: SortOptions,
     runs: u16,
 ) -> anyhow::Result<SortSpeed> {
-    let sorter = StandaloneSort::new(gpu, keys.len() as u32, options)?;
-    sorter.load(keys)?;
+    let count = keys.keys.len();
+    let sorter = StandaloneSort::new(gpu, count as u32, options)?;
+    sorter.load(&keys.keys)?;
     sorter.run()?;
-    if let Some(difference) = sorter.difference(keys)? {
+    if let Some(difference) = sorter.difference_from(&keys.order, count)? {
         anyhow::bail!("wrong: {difference}");
+    }
+    let begin = Instant::now();
+    while begin.elapsed() < WARM_UP {
+        sorter.run()?;
     }
     let mut times = (0..runs)
         .map(|_| sorter.run())
@@ -231,7 +260,7 @@ fn measure(
         wall_ms: median.wall.as_secs_f64() * 1e3,
         // A clock may not resolve so few keys.
         mkeys_per_s: if ms > 0.0 {
-            keys.len() as f64 / ms / 1e3
+            count as f64 / ms / 1e3
         } else {
             0.0
         },

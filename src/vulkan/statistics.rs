@@ -7,7 +7,7 @@ pub use super::device::statistics::{Executable, Statistic, Value};
 use super::{
     device::{Error, Gpu, GpuOptions, Result},
     memory::Buffer,
-    raster::{ColorFormat, RasterMethod, TileKernel},
+    raster::{ColorFormat, RasterMethod, TileKernel, resolve::Resolve},
     renderer::Renderer,
     sort::{KeyBits, Sort, SortOptions, SortVariant, unsupported},
     window::present::Present,
@@ -38,7 +38,9 @@ pub fn all(options: &GpuOptions, avatar: &Avatar) -> Result<(Arc<Gpu>, Vec<Execu
     };
     renderers(&gpu, avatar)?;
     sorts(&gpu)?;
-    Present::new(&gpu, vk::Format::B8G8R8A8_UNORM)?;
+    // As for a window, of which a device that was opened to be asked has none.
+    let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+    Present::with_final_layout(&gpu, vk::Format::B8G8R8A8_UNORM, layout)?;
     let found = statistics.take();
     Ok((gpu, found))
 }
@@ -60,19 +62,26 @@ fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
                 method: Some(RasterMethod::Quads),
                 ..options
             };
-            Renderer::new(gpu, avatar, quads)?;
+            let renderer = Renderer::new(gpu, avatar, quads)?;
+            Resolve::new(gpu, renderer.raster().image(), color)?;
         }
-        // The device's own kernel may be the cooperative one, which not every device can run.
-        for kernel in [None, Some(TileKernel::PerThread), Some(TileKernel::Shared)] {
+        // Not every device can run every kernel.
+        let able = |kernel: &TileKernel| gpu.probe.lacks_for(*kernel).is_none();
+        for kernel in TileKernel::ALL.into_iter().filter(able) {
             let tiles = RendererOptions {
                 color: Some(color),
                 method: Some(RasterMethod::Tiles),
-                kernel,
+                kernel: Some(kernel),
                 ..options
             };
             Renderer::new(gpu, avatar, tiles)?;
         }
     }
+    let mut in_bytes = avatar.clone();
+    for layer in &mut in_bytes.networks.layers {
+        layer.weight = layer.weight.bytes(layer.input);
+    }
+    Renderer::new(gpu, &in_bytes, options)?;
     for degree in 1..=3 {
         let functions = (degree + 1) * (degree + 1) - 1;
         let coefficients = vec![[f16::ZERO; 3]; functions * avatar.gaussians.len()];

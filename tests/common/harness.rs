@@ -535,7 +535,7 @@ fn work(port: &str, tests: &[Selected]) {
         let answer = if answer.starts_with("failed") || messages == 0 {
             answer
         } else {
-            format!("failed with {messages} messages of the validation layer: ")
+            format!("failed with {messages} messages of the validation layer, printed above")
         };
         let _ = std::io::stdout().flush();
         if writeln!(stream, "{}", answer.replace('\n', " ")).is_err() || request == END {

@@ -14,7 +14,7 @@ use effigy_core::avatar::{harmonics::functions_of, *};
 use effigy_core::io::splats::{Splats, Up};
 use glam::{DQuat, DVec3};
 use half::f16;
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, ffi::OsString};
 
 /// How large an avatar to make. Symbols as in `effigy_core::avatar`.
 #[derive(Clone, Copy, Debug)]
@@ -506,9 +506,10 @@ pub fn clip(seed: u64, avatar: &Avatar, frames: usize) -> Clip {
     }
 }
 
-/// The program that tests of commands run.
-pub fn program() -> &'static str {
-    env!("CARGO_BIN_EXE_effigy")
+/// The program that tests of commands run: the one that was built with them, or on another machine
+/// the one that `EFFIGY_PROGRAM` names.
+pub fn program() -> OsString {
+    std::env::var_os("EFFIGY_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_effigy").into())
 }
 
 /// The folder of the body's source files. Ends the test where it isn't there.

@@ -10,7 +10,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{Stage, schedule::Equipment},
+    frame::{Stage, TileKernel, schedule::Equipment},
     layout::Control,
     scene::{Camera, Posed},
 };
@@ -47,10 +47,14 @@ fn a_device_is_found_by_number_and_by_part_of_its_name() {
 /// What must be true of the statistics of all pipelines on any driver that has them.
 fn assert_whole(device: &Gpu, executables: &[Executable]) {
     let onesweep = effigy::vulkan::sort::unsupported(SortVariant::OneSweep, device).is_none();
-    for module in MODULES
-        .iter()
-        .filter(|module| onesweep || module.file != "sort/onesweep.comp")
-    {
+    let draws = |kernel| device.probe.lacks_for(kernel).is_none();
+    let is_made = |file: &str| match file.rsplit_once('_').map_or(file, |(kernel, _)| kernel) {
+        "sort/onesweep.comp" => onesweep,
+        "raster/cooperative" => draws(TileKernel::Cooperative),
+        "raster/shared" => draws(TileKernel::Shared),
+        _ => true,
+    };
+    for module in MODULES.iter().filter(|module| is_made(module.file)) {
         let of_module: Vec<_> = executables
             .iter()
             .filter(|made| made.shader == module.file)
@@ -75,7 +79,7 @@ fn assert_whole(device: &Gpu, executables: &[Executable]) {
     {
         assert_eq!(
             sort.constants.split(' ').count(),
-            9,
+            11,
             "the sort's constants are not all there: {sort:?}"
         );
     }

@@ -13,7 +13,7 @@ use effigy::vulkan::{Gpu, Renderer, RendererOptions};
 use effigy_core::{
     avatar::Pose,
     constants::ALPHA_MIN,
-    frame::Skip,
+    frame::{Skip, TileKernel},
     layout::{BINNING_BLOCK, POSE_CACHE_WORDS, TILING},
     scene::{Camera, Detail, FrameImage, Posed},
 };
@@ -136,8 +136,10 @@ fn tile_lists_have_what_frames_ask_for() {
     let avatar = common::splats(5, 110_000, 0).to_avatar("scan").unwrap();
     let size = [400, 400];
     let options = Tiles.options(&device.probe.name, size);
+    // A kernel that has such lists, on a GPU too.
     let options = RendererOptions {
         skip: options.skip - Skip::SKINNING,
+        kernel: Some(TileKernel::PerThread),
         ..options
     };
     let rest = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);

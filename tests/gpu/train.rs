@@ -579,7 +579,8 @@ fn pairs_that_do_not_fit_get_room() {
         ..SETTING
     };
     let scene = Scene::new(3, setting);
-    let mut trainer = scene.trainer(setting);
+    // Small tiles, on a GPU too: a splat meets many.
+    let mut trainer = scene.shaped(setting, TileShape::CPU);
     let report = trainer.step(&scene.views, &STILL).unwrap();
     assert!(
         report.pairs > 4 * 700,
@@ -599,7 +600,8 @@ fn pairs_that_no_buffer_holds_are_drawn_in_bands() {
         ..SETTING
     };
     let scene = Scene::new(3, setting);
-    let own = TileShape::of(&gpu::gpu());
+    // Small tiles, on a GPU too: a band is a row of them at least.
+    let own = TileShape::CPU;
     let mut whole = scene.shaped(setting, own);
     let all = whole.step(&scene.views, &STILL).unwrap();
     let shape = TileShape {

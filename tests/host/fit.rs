@@ -417,7 +417,8 @@ fn a_full_disk_is_said_and_leaves_the_last_good_file() {
     let script =
         "trap '' XFSZ; ulimit -f 64; exec \"$0\" fit model.dataset --out out.avatar --epochs 8";
     let output = Command::new("bash")
-        .args(["-c", script, common::program()])
+        .args(["-c", script])
+        .arg(common::program())
         .current_dir(folder.path())
         .output();
     let output = output.expect("there is a shell");

@@ -96,7 +96,7 @@ do_step() { # NAME SECONDS
     tests)
       "$here/bin/gpu-tests" --list "${tests[@]}" > "$work/tests-list.txt" &&
         VK_LAYER_PATH=$here/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1 EFFIGY_VALIDATION=1 \
-          EFFIGY_TEST_SECONDS=60 EFFIGY_TEST_LABEL=gpu EFFIGY_TEST_RESULTS=$work/tests.txt "$here/bin/gpu-tests" "${tests[@]}"
+          EFFIGY_PROGRAM=$here/bin/effigy EFFIGY_TEST_SECONDS=60 EFFIGY_TEST_LABEL=gpu EFFIGY_TEST_RESULTS=$work/tests.txt "$here/bin/gpu-tests" "${tests[@]}"
       ;;
     frames-quads) bench quads --raster quads --case "$cases" ;;
     frames-tiles) bench tiles --raster tiles --case "$cases" ;;

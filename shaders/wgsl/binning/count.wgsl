@@ -109,112 +109,129 @@ struct type_21 {
     member_15: f32,
 }
 
-struct type_26 {
+struct type_27 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_28 {
+struct type_29 {
     member: array<vec4<u32>, LENGTH_2_16>,
 }
 
-struct type_30 {
+struct type_31 {
     member: array<u32, LENGTH_4_4>,
 }
 
 @group(0) @binding(0) 
 var<uniform> global: type_13;
 @group(0) @binding(1) 
-var<storage> global_1: type_26;
+var<storage> global_1: type_27;
 @group(0) @binding(3) 
 var<storage> global_2: type_18;
 @group(0) @binding(2) 
-var<storage> global_3: type_28;
+var<storage> global_3: type_29;
 @group(0) @binding(7) 
 var<uniform> global_4: type_21;
 var<workgroup> global_5: array<atomic<u32>, 10>;
 @group(0) @binding(4) 
-var<storage, read_write> global_6: type_30;
+var<storage, read_write> global_6: type_31;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_799_: u32;
-    var phi_800_: u32;
-    var phi_581_: bool;
-    var phi_802_: u32;
-    var phi_805_: u32;
-    var phi_801_: u32;
+    var local: array<u32, 10>;
+    var phi_831_: u32;
+    var phi_832_: u32;
+    var phi_833_: u32;
+    var phi_613_: bool;
+    var phi_836_: u32;
+    var phi_839_: u32;
+    var phi_834_: u32;
+    var phi_835_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e24 = bitcast<u32>(param[0u]);
-            let _e26 = bitcast<u32>(param_1[0u]);
-            let _e27 = (_e26 * 256u);
-            let _e30 = global_2.member.member_6;
-            if (_e27 >= _e30) {
+            let _e25 = bitcast<u32>(param[0u]);
+            let _e27 = bitcast<u32>(param_1[0u]);
+            let _e28 = (_e27 * 256u);
+            let _e31 = global_2.member.member_6;
+            if (_e28 >= _e31) {
                 break;
             }
-            phi_799_ = _e24;
+            phi_831_ = _e25;
             loop {
-                let _e33 = phi_799_;
-                if (_e33 < 10u) {
+                let _e34 = phi_831_;
+                if (_e34 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    atomicStore((&global_5[_e33]), 0u);
-                    phi_799_ = (_e33 + 128u);
+                    atomicStore((&global_5[_e34]), 0u);
+                    phi_831_ = (_e34 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_800_ = (_e27 + _e24);
+            phi_832_ = 0u;
             loop {
-                let _e42 = phi_800_;
-                if (_e42 < min(((_e26 + 1u) * 256u), _e30)) {
-                    let _e48 = global_1.member[((_e30 - 1u) - _e42)];
-                    let _e51 = global_3.member[_e48];
-                    let _e56 = global.member_10;
-                    let _e60 = global.member_5;
-                    let _e62 = ((vec2<f32>((_e51.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e56)) - vec2(_e60));
-                    let _e64 = unpack2x16float(_e51.z);
-                    let _e73 = global.member_30;
-                    let _e76 = global.member_29;
-                    let _e84 = (unpack2x16float(_e51.w).x * inverseSqrt(dot(_e64, _e64)));
-                    let _e87 = _e64.yx;
-                    let _e94 = global_4.member_15;
-                    let _e96 = ((sqrt(((_e64 * _e64) + ((_e87 * (_e84 * _e84)) * _e87))) * sqrt((2f * log(max((max(f32(((_e51.w >> bitcast<u32>(16u)) & 255u)), _e73) / _e76), 1f))))) + vec2(_e94));
-                    let _e97 = (_e62 - _e96);
-                    let _e98 = (_e62 + _e96);
-                    let _e100 = global.member_46;
-                    let _e102 = global.member_4;
-                    let _e104 = vec2(_e100);
-                    let _e109 = vec2<f32>(((((vec2<u32>(_e102) + _e104) - vec2<u32>(1u, 1u)) / _e104) - vec2<u32>(1u, 1u)));
-                    let _e111 = vec2(f32(_e100));
-                    let _e119 = all((_e97 < _e102));
-                    phi_581_ = _e119;
-                    if _e119 {
-                        phi_581_ = all((_e98 > vec2<f32>(0f, 0f)));
+                let _e42 = phi_832_;
+                if (_e42 < 10u) {
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    local[_e42] = 0u;
+                    phi_832_ = (_e42 + bitcast<u32>(1i));
+                }
+            }
+            phi_833_ = (_e28 + _e25);
+            loop {
+                let _e49 = phi_833_;
+                if (_e49 < min(((_e27 + 1u) * 256u), _e31)) {
+                    let _e55 = global_1.member[((_e31 - 1u) - _e49)];
+                    let _e58 = global_3.member[_e55];
+                    let _e63 = global.member_10;
+                    let _e67 = global.member_5;
+                    let _e69 = ((vec2<f32>((_e58.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e63)) - vec2(_e67));
+                    let _e71 = unpack2x16float(_e58.z);
+                    let _e80 = global.member_30;
+                    let _e83 = global.member_29;
+                    let _e91 = (unpack2x16float(_e58.w).x * inverseSqrt(dot(_e71, _e71)));
+                    let _e94 = _e71.yx;
+                    let _e101 = global_4.member_15;
+                    let _e103 = ((sqrt(((_e71 * _e71) + ((_e94 * (_e91 * _e91)) * _e94))) * sqrt((2f * log(max((max(f32(((_e58.w >> bitcast<u32>(16u)) & 255u)), _e80) / _e83), 1f))))) + vec2(_e101));
+                    let _e104 = (_e69 - _e103);
+                    let _e105 = (_e69 + _e103);
+                    let _e107 = global.member_46;
+                    let _e109 = global.member_4;
+                    let _e111 = vec2(_e107);
+                    let _e116 = vec2<f32>(((((vec2<u32>(_e109) + _e111) - vec2<u32>(1u, 1u)) / _e111) - vec2<u32>(1u, 1u)));
+                    let _e118 = vec2(f32(_e107));
+                    let _e126 = all((_e104 < _e109));
+                    phi_613_ = _e126;
+                    if _e126 {
+                        phi_613_ = all((_e105 > vec2<f32>(0f, 0f)));
                     }
-                    let _e123 = phi_581_;
-                    phi_802_ = 0u;
+                    let _e130 = phi_613_;
+                    phi_836_ = 0u;
                     loop {
-                        let _e126 = phi_802_;
-                        if (_e126 < 10u) {
-                            let _e129 = vec2(_e126);
-                            let _e135 = (((vec2<u32>(clamp((_e98 / _e111), vec2<f32>(0f, 0f), _e109)) >> bitcast<vec2<u32>>(_e129)) - (vec2<u32>(clamp((_e97 / _e111), vec2<f32>(0f, 0f), _e109)) >> bitcast<vec2<u32>>(_e129))) + vec2<u32>(1u, 1u));
-                            if !(_e123) {
-                                phi_805_ = 0u;
+                        let _e133 = phi_836_;
+                        if (_e133 < 10u) {
+                            let _e135 = vec2(_e133);
+                            let _e141 = (((vec2<u32>(clamp((_e105 / _e118), vec2<f32>(0f, 0f), _e116)) >> bitcast<vec2<u32>>(_e135)) - (vec2<u32>(clamp((_e104 / _e118), vec2<f32>(0f, 0f), _e116)) >> bitcast<vec2<u32>>(_e135))) + vec2<u32>(1u, 1u));
+                            if !(_e130) {
+                                phi_839_ = 0u;
                             } else {
-                                phi_805_ = (_e135.x * _e135.y);
+                                phi_839_ = (_e141.x * _e141.y);
                             }
-                            let _e140 = phi_805_;
-                            let _e141 = atomicAdd((&global_5[_e126]), _e140);
+                            let _e146 = phi_839_;
+                            let _e148 = local[_e133];
+                            local[_e133] = (_e148 + _e146);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_802_ = (_e126 + bitcast<u32>(1i));
+                            phi_836_ = (_e133 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -222,23 +239,37 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_800_ = (_e42 + 128u);
+                    phi_833_ = (_e49 + 128u);
                 }
             }
-            workgroupBarrier();
-            phi_801_ = _e24;
+            phi_834_ = 0u;
             loop {
-                let _e146 = phi_801_;
-                if (_e146 < 10u) {
+                let _e154 = phi_834_;
+                if (_e154 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e149 = global_4.member_11;
-                    let _e154 = atomicLoad((&global_5[_e146]));
-                    global_6.member[((_e149 + (_e26 * 10u)) + _e146)] = (_e154 + (_e154 & 1u));
-                    phi_801_ = (_e146 + 128u);
+                    let _e158 = local[_e154];
+                    let _e159 = atomicAdd((&global_5[_e154]), _e158);
+                    phi_834_ = (_e154 + bitcast<u32>(1i));
+                }
+            }
+            workgroupBarrier();
+            phi_835_ = _e25;
+            loop {
+                let _e163 = phi_835_;
+                if (_e163 < 10u) {
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e166 = global_4.member_11;
+                    let _e171 = atomicLoad((&global_5[_e163]));
+                    global_6.member[((_e166 + (_e27 * 10u)) + _e163)] = (_e171 + (_e171 & 1u));
+                    phi_835_ = (_e163 + 128u);
                 }
             }
             break;

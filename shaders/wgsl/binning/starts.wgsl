@@ -71,7 +71,7 @@ struct type_15 {
     member: array<u32>,
 }
 
-struct type_17 {
+struct type_18 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -90,83 +90,136 @@ struct type_17 {
     member_15: f32,
 }
 
-struct type_19 {
+struct type_20 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_21 {
+struct type_22 {
     member: array<u32, LENGTH_3_4>,
 }
 
-struct type_23 {
+struct type_24 {
     member: array<u32, LENGTH_2_4>,
 }
 
 @group(0) @binding(0) 
 var<uniform> global: type_12;
 @group(0) @binding(1) 
-var<storage> global_1: type_19;
+var<storage> global_1: type_20;
 @group(0) @binding(3) 
-var<storage> global_2: type_21;
+var<storage> global_2: type_22;
 @group(0) @binding(2) 
-var<storage, read_write> global_3: type_23;
+var<storage, read_write> global_3: type_24;
 @group(0) @binding(7) 
-var<uniform> global_4: type_17;
+var<uniform> global_4: type_18;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(global_invocation_id) param: vec3<u32>) {
-    var phi_209_: u32;
-    var phi_208_: u32;
-    var phi_210_: u32;
-    var local: u32;
+    var local: array<u32, 7>;
+    var phi_302_: u32;
+    var phi_301_: u32;
+    var phi_303_: u32;
+    var phi_309_: u32;
+    var phi_306_: u32;
+    var phi_305_: u32;
+    var phi_307_: u32;
+    var phi_311_: u32;
     var local_1: u32;
     var local_2: u32;
+    var local_3: u32;
+    var local_4: u32;
+    var local_5: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e16 = bitcast<u32>(param[0u]);
-            let _e19 = global_3.member[8i];
-            let _e21 = global.member_46;
-            let _e25 = global.member_4;
-            let _e27 = vec2((_e21 << bitcast<u32>(_e19)));
-            let _e30 = (((vec2<u32>(_e25) + _e27) - vec2<u32>(1u, 1u)) / _e27);
-            if (_e16 > (_e30.x * _e30.y)) {
+            let _e19 = bitcast<u32>(param[0u]);
+            let _e22 = global_3.member[8i];
+            let _e24 = global.member_46;
+            let _e28 = global.member_4;
+            let _e30 = vec2((_e24 << bitcast<u32>(_e22)));
+            let _e33 = (((vec2<u32>(_e28) + _e30) - vec2<u32>(1u, 1u)) / _e30);
+            if (_e19 > (_e33.x * _e33.y)) {
                 break;
             }
-            let _e37 = global_3.member[6i];
-            phi_209_ = _e37;
-            phi_208_ = 0u;
+            let _e40 = global_3.member[6i];
+            phi_302_ = _e40;
+            phi_301_ = 0u;
             loop {
-                let _e39 = phi_209_;
-                let _e41 = phi_208_;
-                local = _e41;
-                if (_e41 < _e39) {
-                    let _e44 = ((_e41 + _e39) / 2u);
-                    let _e47 = global_1.member[_e44];
-                    let _e52 = global_2.member[(_e47 >> bitcast<u32>(1u))];
-                    let _e58 = (((_e52 >> bitcast<u32>((16u * (_e47 & 1u)))) & 65535u) < _e16);
-                    if _e58 {
-                        phi_210_ = (_e44 + 1u);
-                    } else {
-                        phi_210_ = _e41;
+                let _e42 = phi_302_;
+                let _e44 = phi_301_;
+                local_1 = _e44;
+                if (_e44 < _e42) {
+                    let _e46 = (_e42 - _e44);
+                    phi_303_ = 0u;
+                    loop {
+                        let _e48 = phi_303_;
+                        if (_e48 < 7u) {
+                            continue;
+                        } else {
+                            break;
+                        }
+                        continuing {
+                            let _e50 = (_e48 + 1u);
+                            let _e60 = global_1.member[(_e44 + ((_e50 * (_e46 / 8u)) + ((_e50 * (_e46 % 8u)) / 8u)))];
+                            let _e65 = global_2.member[(_e60 >> bitcast<u32>(1u))];
+                            local[_e48] = ((_e65 >> bitcast<u32>((16u * (_e60 & 1u)))) & 65535u);
+                            phi_303_ = (_e48 + bitcast<u32>(1i));
+                        }
                     }
-                    let _e61 = phi_210_;
-                    local_1 = select(_e44, _e39, _e58);
-                    local_2 = _e61;
+                    phi_309_ = _e42;
+                    phi_306_ = _e44;
+                    phi_305_ = 0u;
+                    loop {
+                        let _e75 = phi_309_;
+                        let _e77 = phi_306_;
+                        let _e79 = phi_305_;
+                        local_2 = _e75;
+                        local_3 = _e77;
+                        if (_e79 < 7u) {
+                            let _e81 = (_e79 + 1u);
+                            let _e88 = (_e44 + ((_e81 * (_e46 / 8u)) + ((_e81 * (_e46 % 8u)) / 8u)));
+                            let _e90 = local[_e79];
+                            let _e91 = (_e90 < _e19);
+                            if _e91 {
+                                phi_307_ = (_e88 + 1u);
+                            } else {
+                                phi_307_ = _e77;
+                            }
+                            let _e94 = phi_307_;
+                            local_5 = _e94;
+                            if _e91 {
+                                phi_311_ = _e75;
+                            } else {
+                                phi_311_ = min(_e75, _e88);
+                            }
+                            let _e97 = phi_311_;
+                            local_4 = _e97;
+                            continue;
+                        } else {
+                            break;
+                        }
+                        continuing {
+                            let _e116 = local_4;
+                            phi_309_ = _e116;
+                            let _e119 = local_5;
+                            phi_306_ = _e119;
+                            phi_305_ = (_e79 + bitcast<u32>(1i));
+                        }
+                    }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e72 = local_1;
-                    phi_209_ = _e72;
-                    let _e75 = local_2;
-                    phi_208_ = _e75;
+                    let _e109 = local_2;
+                    phi_302_ = _e109;
+                    let _e112 = local_3;
+                    phi_301_ = _e112;
                 }
             }
-            let _e64 = global_4.member_12;
-            let _e69 = local;
-            global_3.member[(_e64 + _e16)] = _e69;
+            let _e101 = global_4.member_12;
+            let _e106 = local_1;
+            global_3.member[(_e101 + _e19)] = _e106;
             break;
         }
     }

@@ -1170,13 +1170,16 @@ fn is_drawn_u0028_vu2_u003b(corner_1: ptr<function, vec2<u32>>) -> bool {
 }
 
 fn place_of_u0028_u1_u003b(index_1: ptr<function, u32>) -> vec2<u32> {
-    let _e5 = (*index_1);
+    var bits: vec2<u32>;
+
     let _e7 = (*index_1);
-    let _e12 = (*index_1);
-    let _e17 = (*index_1);
-    let _e21 = (*index_1);
-    let _e26 = (*index_1);
-    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
+    let _e8 = (*index_1);
+    bits = vec2<u32>(_e7, (_e8 >> bitcast<u32>(1u)));
+    let _e12 = bits;
+    let _e15 = bits;
+    let _e22 = bits;
+    let _e29 = bits;
+    return ((((_e12 & vec2(1u)) | ((_e15 >> bitcast<vec2<u32>>(vec2(1u))) & vec2(2u))) | ((_e22 >> bitcast<vec2<u32>>(vec2(2u))) & vec2(4u))) | ((_e29 >> bitcast<vec2<u32>>(vec2(3u))) & vec2(8u)));
 }
 
 fn index_in_workgroup_u0028_() -> u32 {
@@ -1224,7 +1227,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_29: vec4<f32>;
     var param_30: vec4<f32>;
     var param_31: bool;
-    var phi_1467_: bool;
+    var phi_1471_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1322,12 +1325,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b_b1_u003b((&param_25), (&param_26), (&param_27), (&param_28), (&param_29), (&param_30), (&param_31));
     let _e177 = settings.counted;
     let _e178 = (_e177 != 0u);
-    phi_1467_ = _e178;
+    phi_1471_ = _e178;
     if _e178 {
         let _e180 = square.fragments;
-        phi_1467_ = (_e180 > 0u);
+        phi_1471_ = (_e180 > 0u);
     }
-    let _e183 = phi_1467_;
+    let _e183 = phi_1471_;
     if _e183 {
         let _e187 = square.fragments;
         let _e188 = atomicAdd((&unnamed_3.control.fragments), _e187);

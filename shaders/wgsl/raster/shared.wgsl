@@ -16,10 +16,7 @@ struct Ellipse {
 }
 
 struct Seen {
-    deviation: vec2<f32>,
-    right: vec2<f32>,
-    down: vec2<f32>,
-    exponent: f32,
+    opacity: vec4<f32>,
     word: u32,
 }
 
@@ -117,16 +114,16 @@ struct SettingsBlock {
     bin_margin: f32,
 }
 
-struct Splats {
-    splats: array<vec4<u32>>,
+struct Sorted {
+    sorted: array<u32>,
 }
 
 struct Bins {
     bins: array<u32>,
 }
 
-struct Sorted {
-    sorted: array<u32>,
+struct Splats {
+    splats: array<vec4<u32>>,
 }
 
 struct Control {
@@ -144,33 +141,33 @@ struct ControlBuffer {
     control: Control,
 }
 
-struct Splats_1 {
-    splats: array<vec4<u32>, LENGTH_1_16>,
+struct Sorted_1 {
+    sorted: array<u32, LENGTH_3_4>,
 }
 
 struct Bins_1 {
     bins: array<u32, LENGTH_4_4>,
 }
 
-struct Sorted_1 {
-    sorted: array<u32, LENGTH_3_4>,
+struct Splats_1 {
+    splats: array<vec4<u32>, LENGTH_1_16>,
 }
 
 @group(0) @binding(0) 
 var<uniform> frame: FrameBlock;
 @group(0) @binding(7) 
 var<uniform> settings: SettingsBlock;
-var<workgroup> batch_hits: array<atomic<u32>, 8>;
-@group(0) @binding(1) 
-var<storage> unnamed: Splats_1;
-var<workgroup> batch_place: array<vec4<f32>, 64>;
-var<workgroup> batch_shape: array<vec4<f32>, 64>;
-var<private> gl_LocalInvocationIndex_1: u32;
+var<workgroup> batch_hits: array<atomic<u32>, 512>;
+var<workgroup> batch_place: array<vec4<f32>, 256>;
+var<workgroup> batch_shape: array<vec4<f32>, 256>;
+@group(0) @binding(3) 
+var<storage> unnamed: Sorted_1;
 @group(0) @binding(4) 
 var<storage> unnamed_1: Bins_1;
+var<private> gl_LocalInvocationIndex_1: u32;
 var<workgroup> batch_open: u32;
-@group(0) @binding(3) 
-var<storage> unnamed_2: Sorted_1;
+@group(0) @binding(1) 
+var<storage> unnamed_2: Splats_1;
 @group(0) @binding(5) 
 var image: texture_storage_2d<rgba8unorm,write>;
 var<private> gl_WorkGroupID_1: vec3<u32>;
@@ -221,6 +218,57 @@ fn store_u0028_vu2_u003b_vf4_u003b_b1_u003b(at: ptr<function, vec2<u32>>, pixel_
     return;
 }
 
+fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b(samples_1: ptr<function, Samples>, seen: ptr<function, Seen>) {
+    var color: vec3<f32>;
+    var p: u32;
+    var pixel_2: vec4<f32>;
+    var share: f32;
+
+    let _e18 = (*seen).word;
+    let _e22 = (*seen).word;
+    let _e28 = (*seen).word;
+    color = vec3<f32>(f32((_e18 & 1023u)), f32(((_e22 >> bitcast<u32>(10u)) & 1023u)), f32((_e28 >> bitcast<u32>(20u))));
+    p = 0u;
+    loop {
+        let _e33 = p;
+        if (_e33 < 4u) {
+            let _e35 = p;
+            let _e38 = (*samples_1).pixels[_e35];
+            pixel_2 = _e38;
+            let _e39 = p;
+            let _e42 = (*seen).opacity[_e39];
+            let _e44 = pixel_2[3u];
+            share = (_e42 * _e44);
+            let _e46 = p;
+            let _e47 = pixel_2;
+            let _e49 = share;
+            let _e50 = color;
+            let _e52 = (_e47.xyz + (_e50 * _e49));
+            let _e54 = pixel_2[3u];
+            let _e55 = share;
+            (*samples_1).pixels[_e46] = vec4<f32>(_e52.x, _e52.y, _e52.z, (_e54 - _e55));
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e63 = p;
+            p = (_e63 + bitcast<u32>(1i));
+        }
+    }
+    let _e69 = (*samples_1).pixels[0i][3u];
+    let _e73 = (*samples_1).pixels[1i][3u];
+    let _e78 = (*samples_1).pixels[2i][3u];
+    let _e82 = (*samples_1).pixels[3i][3u];
+    let _e86 = settings.saturation;
+    (*samples_1).open = (max(max(_e69, _e73), max(_e78, _e82)) >= _e86);
+    return;
+}
+
+fn note_seen_u0028_u1_u003b(k: ptr<function, u32>) {
+    return;
+}
+
 fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>) -> f32 {
     var power: f32;
     var local_1: f32;
@@ -241,244 +289,361 @@ fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, expo
     return _e19;
 }
 
-fn blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b(pixel_2: ptr<function, vec4<f32>>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, color: ptr<function, vec3<f32>>) {
-    var share: f32;
-    var param_19: vec2<f32>;
-    var param_20: f32;
-
-    let _e8 = (*deviation_1);
-    param_19 = _e8;
-    let _e9 = (*exponent_1);
-    param_20 = _e9;
-    let _e10 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_19), (&param_20));
-    let _e12 = (*pixel_2)[3u];
-    share = (_e10 * _e12);
-    let _e14 = (*pixel_2);
-    let _e16 = share;
-    let _e17 = (*color);
-    let _e19 = (_e14.xyz + (_e17 * _e16));
-    let _e21 = (*pixel_2)[3u];
-    let _e22 = share;
-    (*pixel_2) = vec4<f32>(_e19.x, _e19.y, _e19.z, (_e21 - _e22));
-    return;
-}
-
-fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
+fn see_u0028_u1_u003b_vf2_u003b(k_1: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
     var place: vec4<f32>;
     var shape: vec4<f32>;
     var from_: vec2<f32>;
-    var seen: Seen;
+    var deviation_1: vec2<f32>;
+    var right: vec2<f32>;
+    var down: vec2<f32>;
+    var seen_1: Seen;
+    var param_19: vec2<f32>;
+    var param_20: f32;
+    var param_21: vec2<f32>;
+    var param_22: f32;
+    var param_23: vec2<f32>;
+    var param_24: f32;
+    var param_25: vec2<f32>;
+    var param_26: f32;
 
-    let _e13 = (*k);
-    let _e15 = batch_place[_e13];
-    place = _e15;
-    let _e16 = (*k);
-    let _e18 = batch_shape[_e16];
-    shape = _e18;
-    let _e19 = (*first_1);
-    let _e20 = place;
-    from_ = (_e19 - _e20.xy);
-    let _e23 = from_;
-    let _e24 = place;
-    let _e27 = from_;
-    let _e28 = shape;
-    seen.deviation = vec2<f32>(dot(_e23, _e24.zw), dot(_e27, _e28.xy));
-    let _e34 = place[2u];
-    let _e36 = shape[0u];
-    seen.right = (vec2<f32>(_e34, _e36) * 1f);
-    let _e41 = place[3u];
-    let _e43 = shape[1u];
-    seen.down = (vec2<f32>(_e41, _e43) * 1f);
-    let _e48 = shape[2u];
-    seen.exponent = _e48;
-    let _e51 = shape[3u];
-    seen.word = bitcast<u32>(_e51);
-    let _e54 = seen;
-    return _e54;
+    let _e24 = (*k_1);
+    let _e26 = batch_place[_e24];
+    place = _e26;
+    let _e27 = (*k_1);
+    let _e29 = batch_shape[_e27];
+    shape = _e29;
+    let _e30 = (*first_1);
+    let _e31 = place;
+    from_ = (_e30 - _e31.xy);
+    let _e34 = from_;
+    let _e35 = place;
+    let _e38 = from_;
+    let _e39 = shape;
+    deviation_1 = vec2<f32>(dot(_e34, _e35.zw), dot(_e38, _e39.xy));
+    let _e43 = deviation_1;
+    let _e45 = place[2u];
+    let _e47 = shape[0u];
+    right = (_e43 + (vec2<f32>(_e45, _e47) * 1f));
+    let _e52 = place[3u];
+    let _e54 = shape[1u];
+    down = (vec2<f32>(_e52, _e54) * 1f);
+    let _e57 = deviation_1;
+    param_19 = _e57;
+    let _e59 = shape[2u];
+    param_20 = _e59;
+    let _e60 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_19), (&param_20));
+    let _e61 = right;
+    param_21 = _e61;
+    let _e63 = shape[2u];
+    param_22 = _e63;
+    let _e64 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_21), (&param_22));
+    let _e65 = deviation_1;
+    let _e66 = down;
+    param_23 = (_e65 + _e66);
+    let _e69 = shape[2u];
+    param_24 = _e69;
+    let _e70 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_23), (&param_24));
+    let _e71 = right;
+    let _e72 = down;
+    param_25 = (_e71 + _e72);
+    let _e75 = shape[2u];
+    param_26 = _e75;
+    let _e76 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_25), (&param_26));
+    seen_1.opacity = vec4<f32>(_e60, _e64, _e70, _e76);
+    let _e80 = shape[3u];
+    seen_1.word = bitcast<u32>(_e80);
+    let _e83 = seen_1;
+    return _e83;
 }
 
-fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b(samples_1: ptr<function, Samples>, k_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
-    var seen_1: Seen;
-    var param_21: u32;
-    var param_22: vec2<f32>;
-    var color_1: vec3<f32>;
-    var right: vec2<f32>;
-    var param_23: vec4<f32>;
-    var param_24: vec2<f32>;
-    var param_25: f32;
-    var param_26: vec3<f32>;
-    var param_27: vec4<f32>;
+fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b(samples_2: ptr<function, Samples>, hits: ptr<function, u32>, from_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
+    var k_2: u32;
+    var both: bool;
+    var l: u32;
+    var local_2: u32;
+    var seen_2: Seen;
+    var param_27: u32;
     var param_28: vec2<f32>;
-    var param_29: f32;
-    var param_30: vec3<f32>;
-    var param_31: vec4<f32>;
-    var param_32: vec2<f32>;
-    var param_33: f32;
-    var param_34: vec3<f32>;
-    var param_35: vec4<f32>;
-    var param_36: vec2<f32>;
-    var param_37: f32;
-    var param_38: vec3<f32>;
+    var second: Seen;
+    var param_29: u32;
+    var param_30: vec2<f32>;
+    var param_31: u32;
+    var param_32: Samples;
+    var param_33: Seen;
+    var shows: bool;
+    var param_34: u32;
+    var param_35: Samples;
+    var param_36: Seen;
 
-    let _e34 = (*k_1);
-    param_21 = _e34;
-    let _e35 = (*first_2);
-    param_22 = _e35;
-    let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_21), (&param_22));
-    seen_1 = _e36;
-    let _e38 = seen_1.word;
-    let _e42 = seen_1.word;
-    let _e48 = seen_1.word;
-    color_1 = vec3<f32>(f32((_e38 & 1023u)), f32(((_e42 >> bitcast<u32>(10u)) & 1023u)), f32((_e48 >> bitcast<u32>(20u))));
-    let _e54 = seen_1.deviation;
-    let _e56 = seen_1.right;
-    right = (_e54 + _e56);
-    let _e60 = (*samples_1).pixels[0i];
-    param_23 = _e60;
-    let _e62 = seen_1.deviation;
-    param_24 = _e62;
-    let _e64 = seen_1.exponent;
-    param_25 = _e64;
-    let _e65 = color_1;
-    param_26 = _e65;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_23), (&param_24), (&param_25), (&param_26));
-    let _e66 = param_23;
-    (*samples_1).pixels[0i] = _e66;
-    let _e71 = (*samples_1).pixels[1i];
-    param_27 = _e71;
-    let _e72 = right;
-    param_28 = _e72;
-    let _e74 = seen_1.exponent;
-    param_29 = _e74;
-    let _e75 = color_1;
-    param_30 = _e75;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_27), (&param_28), (&param_29), (&param_30));
-    let _e76 = param_27;
-    (*samples_1).pixels[1i] = _e76;
-    let _e80 = seen_1.deviation;
-    let _e82 = seen_1.down;
-    let _e86 = (*samples_1).pixels[2i];
-    param_31 = _e86;
-    param_32 = (_e80 + _e82);
-    let _e88 = seen_1.exponent;
-    param_33 = _e88;
-    let _e89 = color_1;
-    param_34 = _e89;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_31), (&param_32), (&param_33), (&param_34));
-    let _e90 = param_31;
-    (*samples_1).pixels[2i] = _e90;
-    let _e93 = right;
-    let _e95 = seen_1.down;
-    let _e99 = (*samples_1).pixels[3i];
-    param_35 = _e99;
-    param_36 = (_e93 + _e95);
-    let _e101 = seen_1.exponent;
-    param_37 = _e101;
-    let _e102 = color_1;
-    param_38 = _e102;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_35), (&param_36), (&param_37), (&param_38));
-    let _e103 = param_35;
-    (*samples_1).pixels[3i] = _e103;
-    let _e109 = (*samples_1).pixels[0i][3u];
-    let _e113 = (*samples_1).pixels[1i][3u];
-    let _e118 = (*samples_1).pixels[2i][3u];
-    let _e122 = (*samples_1).pixels[3i][3u];
-    let _e126 = settings.saturation;
-    (*samples_1).open = (max(max(_e109, _e113), max(_e118, _e122)) >= _e126);
-    let _e130 = (*samples_1).evaluated;
-    (*samples_1).evaluated = (_e130 + 4u);
+    loop {
+        let _e27 = (*hits);
+        let _e30 = (*samples_2).open;
+        if ((_e27 != 0u) && _e30) {
+            let _e32 = (*from_1);
+            let _e33 = (*hits);
+            k_2 = (_e32 + bitcast<u32>(firstTrailingBit(_e33)));
+            let _e37 = (*hits);
+            let _e39 = (*hits);
+            (*hits) = (_e39 & (_e37 - 1u));
+            let _e41 = (*hits);
+            both = (_e41 != 0u);
+            let _e43 = both;
+            if _e43 {
+                let _e44 = (*from_1);
+                let _e45 = (*hits);
+                local_2 = (_e44 + bitcast<u32>(firstTrailingBit(_e45)));
+            } else {
+                let _e49 = k_2;
+                local_2 = _e49;
+            }
+            let _e50 = local_2;
+            l = _e50;
+            let _e51 = (*hits);
+            let _e53 = (*hits);
+            (*hits) = (_e53 & (_e51 - 1u));
+            let _e55 = k_2;
+            param_27 = _e55;
+            let _e56 = (*first_2);
+            param_28 = _e56;
+            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_27), (&param_28));
+            seen_2 = _e57;
+            let _e58 = l;
+            param_29 = _e58;
+            let _e59 = (*first_2);
+            param_30 = _e59;
+            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_29), (&param_30));
+            second = _e60;
+            let _e61 = k_2;
+            param_31 = _e61;
+            note_seen_u0028_u1_u003b((&param_31));
+            let _e62 = (*samples_2);
+            param_32 = _e62;
+            let _e63 = seen_2;
+            param_33 = _e63;
+            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_32), (&param_33));
+            let _e64 = param_32;
+            (*samples_2) = _e64;
+            let _e65 = both;
+            let _e67 = (*samples_2).open;
+            shows = (_e65 && _e67);
+            let _e69 = shows;
+            if _e69 {
+                let _e70 = l;
+                param_34 = _e70;
+                note_seen_u0028_u1_u003b((&param_34));
+            }
+            let _e71 = shows;
+            let _e74 = second.opacity;
+            second.opacity = (_e74 * select(0f, 1f, _e71));
+            let _e77 = (*samples_2);
+            param_35 = _e77;
+            let _e78 = second;
+            param_36 = _e78;
+            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_35), (&param_36));
+            let _e79 = param_35;
+            (*samples_2) = _e79;
+            let _e80 = shows;
+            let _e83 = (*samples_2).evaluated;
+            (*samples_2).evaluated = (_e83 + select(4u, 8u, _e80));
+            continue;
+        } else {
+            break;
+        }
+    }
     return;
 }
 
+fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
+    var bits: vec2<u32>;
+
+    let _e7 = (*index);
+    let _e8 = (*index);
+    bits = vec2<u32>(_e7, (_e8 >> bitcast<u32>(1u)));
+    let _e12 = bits;
+    let _e15 = bits;
+    let _e22 = bits;
+    let _e29 = bits;
+    return ((((_e12 & vec2(1u)) | ((_e15 >> bitcast<vec2<u32>>(vec2(1u))) & vec2(2u))) | ((_e22 >> bitcast<vec2<u32>>(vec2(2u))) & vec2(4u))) | ((_e29 >> bitcast<vec2<u32>>(vec2(3u))) & vec2(8u)));
+}
+
 fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word: ptr<function, u32>) -> u32 {
-    var quarter: u32;
+    var place_1: vec2<u32>;
+    var param_37: u32;
+    var hits_1: u32;
+    var k_3: u32;
+    var bits_1: u32;
 
-    let _e6 = (*thread);
-    quarter = (_e6 / 16u);
-    let _e8 = quarter;
-    let _e10 = (*word);
-    let _e13 = atomicLoad((&batch_hits[((_e8 * 2u) + _e10)]));
-    return _e13;
-}
-
-fn nearest_u0028_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b_vf2_u003b_vf2_u003b(e: ptr<function, Ellipse>, low: ptr<function, vec2<f32>>, high: ptr<function, vec2<f32>>) -> f32 {
-    var side: vec2<f32>;
-    var p: vec2<f32>;
-    var q: vec2<f32>;
-
-    let _e10 = (*low);
-    let _e11 = (*high);
-    side = clamp(vec2<f32>(0f, 0f), _e10, _e11);
-    let _e14 = side[0u];
-    let _e16 = (*e).b;
-    let _e19 = side[0u];
-    let _e22 = (*e).c;
-    let _e25 = (*low)[1u];
-    let _e27 = (*high)[1u];
-    p = vec2<f32>(_e14, clamp(((-(_e16) * _e19) / _e22), _e25, _e27));
-    let _e31 = (*e).b;
-    let _e34 = side[1u];
-    let _e37 = (*e).a;
-    let _e40 = (*low)[0u];
-    let _e42 = (*high)[0u];
-    let _e45 = side[1u];
-    q = vec2<f32>(clamp(((-(_e31) * _e34) / _e37), _e40, _e42), _e45);
-    let _e48 = (*e).a;
-    let _e50 = p[0u];
-    let _e53 = p[0u];
-    let _e56 = (*e).b;
-    let _e59 = p[0u];
-    let _e62 = p[1u];
-    let _e66 = (*e).c;
-    let _e68 = p[1u];
-    let _e71 = p[1u];
-    let _e75 = (*e).a;
-    let _e77 = q[0u];
-    let _e80 = q[0u];
-    let _e83 = (*e).b;
-    let _e86 = q[0u];
-    let _e89 = q[1u];
-    let _e93 = (*e).c;
-    let _e95 = q[1u];
-    let _e98 = q[1u];
-    return min(((((_e48 * _e50) * _e53) + (((2f * _e56) * _e59) * _e62)) + ((_e66 * _e68) * _e71)), ((((_e75 * _e77) * _e80) + (((2f * _e83) * _e86) * _e89)) + ((_e93 * _e95) * _e98)));
-}
-
-fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b(k_2: ptr<function, u32>, e_1: ptr<function, Ellipse>) -> bool {
-    var meets: bool;
-    var quarter_1: u32;
-    var low_1: vec2<f32>;
-    var high_1: vec2<f32>;
-    var param_39: Ellipse;
-    var param_40: vec2<f32>;
-    var param_41: vec2<f32>;
-
-    meets = false;
-    quarter_1 = 0u;
+    let _e15 = (*thread);
+    param_37 = _e15;
+    let _e16 = place_of_u0028_u1_u003b((&param_37));
+    place_1 = (_e16 / vec2(2u));
+    hits_1 = 0u;
+    k_3 = 0u;
     loop {
-        let _e22 = quarter_1;
-        if (_e22 < 4u) {
-            let _e24 = quarter_1;
-            let _e27 = quarter_1;
-            let _e34 = (*e_1).center;
-            low_1 = ((vec2<f32>(f32((_e24 & 1u)), f32((_e27 >> bitcast<u32>(1u)))) * 8f) - _e34);
-            let _e36 = low_1;
-            high_1 = (_e36 + vec2(8f));
-            let _e39 = low_1;
-            let _e43 = settings.bin_margin;
-            let _e46 = high_1;
-            let _e50 = settings.bin_margin;
-            let _e53 = (*e_1);
-            param_39 = _e53;
-            param_40 = ((_e39 + vec2(0.5f)) - vec2(_e43));
-            param_41 = ((_e46 - vec2(0.5f)) + vec2(_e50));
-            let _e54 = nearest_u0028_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b_vf2_u003b_vf2_u003b((&param_39), (&param_40), (&param_41));
-            let _e56 = (*e_1).most;
-            if !((_e54 > _e56)) {
-                let _e59 = quarter_1;
-                let _e61 = (*k_2);
-                let _e66 = (*k_2);
-                let _e70 = atomicOr((&batch_hits[((_e59 * 2u) + (_e61 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e66 & 31u))));
+        let _e19 = k_3;
+        if (_e19 < 8u) {
+            let _e22 = place_1[1u];
+            let _e24 = (*word);
+            let _e27 = k_3;
+            let _e30 = atomicLoad((&batch_hits[(((_e22 * 64u) + (8u * _e24)) + _e27)]));
+            bits_1 = _e30;
+            let _e31 = bits_1;
+            let _e33 = place_1[0u];
+            let _e37 = k_3;
+            let _e40 = hits_1;
+            hits_1 = (_e40 | (((_e31 >> bitcast<u32>(_e33)) & 16843009u) << bitcast<u32>(_e37)));
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e42 = k_3;
+            k_3 = (_e42 + bitcast<u32>(1i));
+        }
+    }
+    let _e45 = hits_1;
+    return _e45;
+}
+
+fn intervals_u0028_f1_u003b_f1_u003b_f1_u003b(low: ptr<function, f32>, high: ptr<function, f32>, side: ptr<function, f32>) -> vec2<u32> {
+    var first_3: f32;
+    var last: f32;
+    var local_3: u32;
+    var local_4: u32;
+
+    let _e15 = (*low);
+    let _e18 = settings.bin_margin;
+    let _e20 = (*side);
+    first_3 = ((((_e15 + 0.5f) - _e18) / _e20) - 1f);
+    let _e23 = (*high);
+    let _e26 = settings.bin_margin;
+    let _e28 = (*side);
+    last = (((_e23 - 0.5f) + _e26) / _e28);
+    let _e30 = first_3;
+    if (_e30 > 0f) {
+        let _e32 = first_3;
+        local_3 = u32(ceil(min(_e32, 8f)));
+    } else {
+        local_3 = 0u;
+    }
+    let _e36 = local_3;
+    let _e37 = last;
+    if (_e37 < 8f) {
+        let _e39 = last;
+        local_4 = u32((floor(max(_e39, -1f)) + 1f));
+    } else {
+        local_4 = 8u;
+    }
+    let _e44 = local_4;
+    return vec2<u32>(_e36, _e44);
+}
+
+fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b(k_4: ptr<function, u32>, e: ptr<function, Ellipse>) -> bool {
+    var turn: f32;
+    var height: f32;
+    var rows: vec2<u32>;
+    var param_38: f32;
+    var param_39: f32;
+    var param_40: f32;
+    var place_2: u32;
+    var meets: bool;
+    var row: u32;
+    var top: f32;
+    var bottom: f32;
+    var at_1: vec2<f32>;
+    var squared: vec2<f32>;
+    var reach: vec2<f32>;
+    var ends: vec2<f32>;
+    var met: vec2<u32>;
+    var param_41: f32;
+    var param_42: f32;
+    var param_43: f32;
+    var bits_2: u32;
+    var phi_512_: bool;
+
+    let _e40 = (*e).b;
+    let _e43 = (*e).most;
+    let _e45 = (*e).c;
+    let _e47 = (*e).determinant;
+    turn = (-(_e40) * sqrt((_e43 / (_e45 * _e47))));
+    let _e53 = (*e).a;
+    let _e55 = (*e).most;
+    let _e58 = (*e).determinant;
+    height = sqrt(((_e53 * _e55) / _e58));
+    let _e63 = (*e).center[1u];
+    let _e64 = height;
+    let _e68 = (*e).center[1u];
+    let _e69 = height;
+    param_38 = (_e63 - _e64);
+    param_39 = (_e68 + _e69);
+    param_40 = 4f;
+    let _e71 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_38), (&param_39), (&param_40));
+    rows = _e71;
+    let _e72 = (*k_4);
+    let _e76 = (*k_4);
+    place_2 = (((_e72 >> bitcast<u32>(5u)) * 8u) + (_e76 & 7u));
+    meets = false;
+    let _e80 = rows[0u];
+    row = _e80;
+    loop {
+        let _e81 = row;
+        let _e83 = rows[1u];
+        if (_e81 < _e83) {
+            let _e85 = row;
+            let _e90 = settings.bin_margin;
+            let _e94 = (*e).center[1u];
+            top = ((((4f * f32(_e85)) + 0.5f) - _e90) - _e94);
+            let _e96 = top;
+            let _e100 = settings.bin_margin;
+            bottom = (((_e96 + 4f) - 1f) + (2f * _e100));
+            let _e103 = turn;
+            let _e105 = top;
+            let _e106 = bottom;
+            let _e108 = turn;
+            let _e109 = top;
+            let _e110 = bottom;
+            at_1 = vec2<f32>(clamp(-(_e103), _e105, _e106), clamp(_e108, _e109, _e110));
+            let _e114 = (*e).a;
+            let _e116 = (*e).most;
+            let _e119 = (*e).determinant;
+            let _e120 = at_1;
+            let _e122 = at_1;
+            squared = (vec2((_e114 * _e116)) - ((_e120 * _e119) * _e122));
+            let _e126 = squared;
+            reach = sqrt(max(_e126, vec2(0f)));
+            let _e131 = (*e).b;
+            let _e133 = at_1;
+            let _e136 = reach[0u];
+            let _e139 = reach[1u];
+            let _e143 = (*e).a;
+            let _e148 = (*e).center[0u];
+            ends = ((((_e133 * -(_e131)) + vec2<f32>(-(_e136), _e139)) / vec2(_e143)) + vec2(_e148));
+            let _e152 = ends[0u];
+            param_41 = _e152;
+            let _e154 = ends[1u];
+            param_42 = _e154;
+            param_43 = 4f;
+            let _e155 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_41), (&param_42), (&param_43));
+            met = _e155;
+            let _e157 = met[0u];
+            let _e159 = met[1u];
+            let _e160 = (_e157 < _e159);
+            phi_512_ = _e160;
+            if _e160 {
+                let _e162 = squared[0u];
+                let _e164 = squared[1u];
+                phi_512_ = !((max(_e162, _e164) < 0f));
+            }
+            let _e169 = phi_512_;
+            if _e169 {
+                let _e171 = met[1u];
+                let _e175 = met[0u];
+                bits_2 = ((1u << bitcast<u32>(_e171)) - (1u << bitcast<u32>(_e175)));
+                let _e179 = row;
+                let _e181 = place_2;
+                let _e184 = bits_2;
+                let _e185 = (*k_4);
+                let _e189 = atomicOr((&batch_hits[((_e179 * 64u) + _e181)]), (_e184 << bitcast<u32>((_e185 & 24u))));
                 meets = true;
             }
             continue;
@@ -486,12 +651,12 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
             break;
         }
         continuing {
-            let _e71 = quarter_1;
-            quarter_1 = (_e71 + bitcast<u32>(1i));
+            let _e190 = row;
+            row = (_e190 + bitcast<u32>(1i));
         }
     }
-    let _e74 = meets;
-    return _e74;
+    let _e193 = meets;
+    return _e193;
 }
 
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
@@ -501,14 +666,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_42: vec4<u32>;
+    var param_44: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_42 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_42));
+    param_44 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_44));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -533,95 +698,126 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     return _e75;
 }
 
-fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread_1: ptr<function, u32>, i: ptr<function, u32>, corner_1: ptr<function, vec2<f32>>) {
+fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>, i: ptr<function, u32>, packed: ptr<function, vec4<u32>>, corner_1: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_43: vec4<u32>;
+    var param_45: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
-    var exponent_2: f32;
+    var exponent_1: f32;
     var ellipse: Ellipse;
-    var param_44: u32;
-    var param_45: Ellipse;
-    var color_2: vec3<u32>;
+    var param_46: u32;
+    var param_47: Ellipse;
+    var color_1: vec3<u32>;
     var word_1: u32;
-    var phi_594_: bool;
+    var phi_694_: bool;
 
-    let _e29 = (*i);
-    let _e32 = unnamed.splats[_e29];
-    param_43 = _e32;
-    let _e33 = unpack_splat_u0028_vu4_u003b((&param_43));
-    splat_1 = _e33;
-    let _e35 = splat_1.axis;
-    let _e37 = splat_1.axis;
-    inverse = (1f / dot(_e35, _e37));
-    let _e40 = inverse;
-    let _e43 = splat_1.axis;
-    along = (_e43 * (0.8493218f * _e40));
-    let _e45 = inverse;
-    let _e49 = splat_1.shorter;
-    let _e53 = splat_1.axis[1u];
-    let _e57 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e53), _e57) * ((0.8493218f * sqrt(_e45)) / _e49));
-    let _e61 = splat_1.opacity;
-    exponent_2 = log2((f32(_e61) / 255f));
-    let _e66 = splat_1.center;
-    let _e67 = (*corner_1);
-    ellipse.center = (_e66 - _e67);
-    let _e71 = along[0u];
-    let _e73 = along[0u];
-    let _e76 = across[0u];
-    let _e78 = across[0u];
-    ellipse.a = ((_e71 * _e73) + (_e76 * _e78));
-    let _e83 = along[0u];
-    let _e85 = along[1u];
-    let _e88 = across[0u];
-    let _e90 = across[1u];
-    ellipse.b = ((_e83 * _e85) + (_e88 * _e90));
-    let _e95 = along[1u];
-    let _e97 = along[1u];
-    let _e100 = across[1u];
-    let _e102 = across[1u];
-    ellipse.c = ((_e95 * _e97) + (_e100 * _e102));
-    let _e106 = along;
-    let _e107 = along;
-    let _e109 = across;
-    let _e110 = across;
-    ellipse.determinant = (dot(_e106, _e107) * dot(_e109, _e110));
-    let _e114 = exponent_2;
-    let _e116 = settings.cutoff_exponent;
-    ellipse.most = ((_e114 - _e116) + 0.00390625f);
-    let _e121 = ellipse.most;
-    let _e122 = (_e121 < 0f);
-    phi_594_ = _e122;
-    if !(_e122) {
-        let _e124 = (*thread_1);
-        param_44 = _e124;
-        let _e125 = ellipse;
-        param_45 = _e125;
-        let _e126 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_44), (&param_45));
-        phi_594_ = !(_e126);
+    let _e28 = (*packed);
+    param_45 = _e28;
+    let _e29 = unpack_splat_u0028_vu4_u003b((&param_45));
+    splat_1 = _e29;
+    let _e31 = splat_1.axis;
+    let _e33 = splat_1.axis;
+    inverse = (1f / dot(_e31, _e33));
+    let _e36 = inverse;
+    let _e39 = splat_1.axis;
+    along = (_e39 * (0.8493218f * _e36));
+    let _e41 = inverse;
+    let _e45 = splat_1.shorter;
+    let _e49 = splat_1.axis[1u];
+    let _e53 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e49), _e53) * ((0.8493218f * sqrt(_e41)) / _e45));
+    let _e57 = splat_1.opacity;
+    exponent_1 = log2((f32(_e57) / 255f));
+    let _e62 = splat_1.center;
+    let _e63 = (*corner_1);
+    ellipse.center = (_e62 - _e63);
+    let _e67 = along[0u];
+    let _e69 = along[0u];
+    let _e72 = across[0u];
+    let _e74 = across[0u];
+    ellipse.a = ((_e67 * _e69) + (_e72 * _e74));
+    let _e79 = along[0u];
+    let _e81 = along[1u];
+    let _e84 = across[0u];
+    let _e86 = across[1u];
+    ellipse.b = ((_e79 * _e81) + (_e84 * _e86));
+    let _e91 = along[1u];
+    let _e93 = along[1u];
+    let _e96 = across[1u];
+    let _e98 = across[1u];
+    ellipse.c = ((_e91 * _e93) + (_e96 * _e98));
+    let _e102 = along;
+    let _e103 = along;
+    let _e105 = across;
+    let _e106 = across;
+    ellipse.determinant = (dot(_e102, _e103) * dot(_e105, _e106));
+    let _e110 = exponent_1;
+    let _e112 = settings.cutoff_exponent;
+    ellipse.most = ((_e110 - _e112) + 0.00390625f);
+    let _e117 = ellipse.most;
+    let _e118 = (_e117 < 0f);
+    phi_694_ = _e118;
+    if !(_e118) {
+        let _e120 = (*thread_1);
+        param_46 = _e120;
+        let _e121 = ellipse;
+        param_47 = _e121;
+        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_46), (&param_47));
+        phi_694_ = !(_e122);
     }
-    let _e129 = phi_594_;
-    if _e129 {
+    let _e125 = phi_694_;
+    if _e125 {
         return;
     }
-    let _e131 = splat_1.color;
-    color_2 = vec3<u32>(round((_e131 * 1023f)));
-    let _e136 = color_2[0u];
-    let _e138 = color_2[1u];
-    let _e143 = color_2[2u];
-    word_1 = ((_e136 | (_e138 << bitcast<u32>(10u))) | (_e143 << bitcast<u32>(20u)));
-    let _e147 = (*thread_1);
-    let _e149 = ellipse.center;
-    let _e150 = along;
-    batch_place[_e147] = vec4<f32>(_e149.x, _e149.y, _e150.x, _e150.y);
-    let _e157 = (*thread_1);
-    let _e158 = across;
-    let _e159 = exponent_2;
-    let _e160 = word_1;
-    batch_shape[_e157] = vec4<f32>(_e158.x, _e158.y, _e159, bitcast<f32>(_e160));
+    let _e127 = splat_1.color;
+    color_1 = vec3<u32>(round((_e127 * 1023f)));
+    let _e132 = color_1[0u];
+    let _e134 = color_1[1u];
+    let _e139 = color_1[2u];
+    word_1 = ((_e132 | (_e134 << bitcast<u32>(10u))) | (_e139 << bitcast<u32>(20u)));
+    let _e143 = (*thread_1);
+    let _e145 = ellipse.center;
+    let _e146 = along;
+    batch_place[_e143] = vec4<f32>(_e145.x, _e145.y, _e146.x, _e146.y);
+    let _e153 = (*thread_1);
+    let _e154 = across;
+    let _e155 = exponent_1;
+    let _e156 = word_1;
+    batch_shape[_e153] = vec4<f32>(_e154.x, _e154.y, _e155, bitcast<f32>(_e156));
     return;
+}
+
+fn splat_of_u0028_u1_u003b(pair: ptr<function, u32>) -> u32 {
+    var local_5: u32;
+
+    let _e6 = (*pair);
+    if (_e6 != 4294967295u) {
+        let _e9 = settings.pairs_start;
+        let _e10 = (*pair);
+        let _e14 = unnamed_1.bins[(_e9 + _e10)];
+        local_5 = _e14;
+    } else {
+        local_5 = 0u;
+    }
+    let _e15 = local_5;
+    return _e15;
+}
+
+fn pair_at_u0028_u1_u003b_u1_u003b(place_3: ptr<function, u32>, end: ptr<function, u32>) -> u32 {
+    var local_6: u32;
+
+    let _e5 = (*place_3);
+    let _e6 = (*end);
+    if (_e5 < _e6) {
+        let _e8 = (*place_3);
+        let _e11 = unnamed.sorted[_e8];
+        local_6 = _e11;
+    } else {
+        local_6 = 4294967295u;
+    }
+    let _e12 = local_6;
+    return _e12;
 }
 
 fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
@@ -636,154 +832,177 @@ fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
     return (((vec2<u32>(_e10) + vec2(_e12)) - vec2(1u)) / vec2(_e17));
 }
 
-fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_2: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
+fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_3: ptr<function, Samples>, corner_2: ptr<function, vec2<u32>>, first_4: ptr<function, vec2<f32>>) {
     var thread_2: u32;
     var shift_1: u32;
-    var at_1: vec2<u32>;
+    var at_2: vec2<u32>;
     var bin: u32;
-    var param_46: u32;
-    var end: u32;
-    var from_1: u32;
-    var k_3: u32;
-    var i_1: u32;
-    var local_2: u32;
-    var param_47: u32;
     var param_48: u32;
-    var param_49: vec2<f32>;
-    var word_2: u32;
-    var hits: u32;
+    var from_2: u32;
+    var end_1: u32;
+    var i_1: u32;
+    var param_49: u32;
     var param_50: u32;
     var param_51: u32;
-    var k_4: u32;
-    var param_52: Samples;
+    var next: u32;
+    var param_52: u32;
     var param_53: u32;
-    var param_54: vec2<f32>;
+    var param_54: u32;
+    var pair_1: u32;
+    var param_55: u32;
+    var param_56: u32;
+    var k_5: u32;
+    var param_57: u32;
+    var param_58: u32;
+    var param_59: vec4<u32>;
+    var param_60: vec2<f32>;
+    var param_61: u32;
+    var param_62: u32;
+    var param_63: u32;
+    var word_2: u32;
+    var param_64: u32;
+    var param_65: u32;
+    var param_66: Samples;
+    var param_67: u32;
+    var param_68: u32;
+    var param_69: vec2<f32>;
 
-    let _e39 = gl_LocalInvocationIndex_1;
-    thread_2 = _e39;
-    let _e42 = unnamed_1.bins[8i];
-    shift_1 = _e42;
-    let _e43 = (*corner_2);
-    let _e45 = frame.bin_side;
-    let _e46 = shift_1;
-    at_1 = (_e43 / vec2((_e45 << bitcast<u32>(_e46))));
-    let _e52 = at_1[1u];
-    let _e53 = shift_1;
-    param_46 = _e53;
-    let _e54 = bins_of_u0028_u1_u003b((&param_46));
-    let _e58 = at_1[0u];
-    bin = ((_e52 * _e54.x) + _e58);
-    let _e61 = settings.starts_start;
-    let _e62 = bin;
-    let _e67 = unnamed_1.bins[((_e61 + _e62) + 1u)];
-    end = _e67;
-    let _e69 = settings.starts_start;
-    let _e70 = bin;
-    let _e74 = unnamed_1.bins[(_e69 + _e70)];
-    from_1 = _e74;
+    let _e52 = gl_LocalInvocationIndex_1;
+    thread_2 = _e52;
+    let _e55 = unnamed_1.bins[8i];
+    shift_1 = _e55;
+    let _e56 = (*corner_2);
+    let _e58 = frame.bin_side;
+    let _e59 = shift_1;
+    at_2 = (_e56 / vec2((_e58 << bitcast<u32>(_e59))));
+    let _e65 = at_2[1u];
+    let _e66 = shift_1;
+    param_48 = _e66;
+    let _e67 = bins_of_u0028_u1_u003b((&param_48));
+    let _e71 = at_2[0u];
+    bin = ((_e65 * _e67.x) + _e71);
+    let _e74 = settings.starts_start;
+    let _e75 = bin;
+    let _e79 = unnamed_1.bins[(_e74 + _e75)];
+    from_2 = _e79;
+    let _e81 = settings.starts_start;
+    let _e82 = bin;
+    let _e87 = unnamed_1.bins[((_e81 + _e82) + 1u)];
+    end_1 = _e87;
+    let _e88 = from_2;
+    let _e89 = thread_2;
+    param_49 = (_e88 + _e89);
+    let _e91 = end_1;
+    param_50 = _e91;
+    let _e92 = pair_at_u0028_u1_u003b_u1_u003b((&param_49), (&param_50));
+    param_51 = _e92;
+    let _e93 = splat_of_u0028_u1_u003b((&param_51));
+    i_1 = _e93;
+    let _e94 = from_2;
+    let _e96 = thread_2;
+    param_52 = ((_e94 + 256u) + _e96);
+    let _e98 = end_1;
+    param_53 = _e98;
+    let _e99 = pair_at_u0028_u1_u003b_u1_u003b((&param_52), (&param_53));
+    param_54 = _e99;
+    let _e100 = splat_of_u0028_u1_u003b((&param_54));
+    next = _e100;
+    let _e101 = from_2;
+    let _e103 = thread_2;
+    param_55 = ((_e101 + 512u) + _e103);
+    let _e105 = end_1;
+    param_56 = _e105;
+    let _e106 = pair_at_u0028_u1_u003b_u1_u003b((&param_55), (&param_56));
+    pair_1 = _e106;
     loop {
-        let _e75 = from_1;
-        let _e76 = end;
-        if (_e75 < _e76) {
-            let _e78 = thread_2;
-            k_3 = _e78;
+        let _e107 = from_2;
+        let _e108 = end_1;
+        if (_e107 < _e108) {
+            let _e110 = thread_2;
+            k_5 = _e110;
             loop {
-                let _e79 = k_3;
-                if (_e79 < 8u) {
-                    let _e81 = k_3;
-                    atomicStore((&batch_hits[_e81]), 0u);
+                let _e111 = k_5;
+                if (_e111 < 512u) {
+                    let _e113 = k_5;
+                    atomicStore((&batch_hits[_e113]), 0u);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e83 = k_3;
-                    k_3 = (_e83 + 64u);
+                    let _e115 = k_5;
+                    k_5 = (_e115 + 256u);
                 }
             }
-            let _e85 = thread_2;
-            if (_e85 == 0u) {
+            let _e117 = thread_2;
+            if (_e117 == 0u) {
                 batch_open = 0u;
             }
             workgroupBarrier();
-            let _e88 = (*samples_2).open;
-            if _e88 {
+            let _e120 = (*samples_3).open;
+            if _e120 {
                 batch_open = 1u;
             }
-            let _e89 = from_1;
-            let _e90 = thread_2;
-            let _e92 = end;
-            if ((_e89 + _e90) < _e92) {
-                let _e95 = settings.pairs_start;
-                let _e96 = from_1;
-                let _e97 = thread_2;
-                let _e101 = unnamed_2.sorted[(_e96 + _e97)];
-                let _e105 = unnamed_1.bins[(_e95 + _e101)];
-                local_2 = _e105;
-            } else {
-                local_2 = 0u;
+            let _e121 = from_2;
+            let _e122 = thread_2;
+            let _e124 = end_1;
+            if ((_e121 + _e122) < _e124) {
+                let _e126 = i_1;
+                let _e127 = (*corner_2);
+                let _e129 = thread_2;
+                param_57 = _e129;
+                let _e130 = i_1;
+                param_58 = _e130;
+                let _e133 = unnamed_2.splats[_e126];
+                param_59 = _e133;
+                param_60 = vec2<f32>(_e127);
+                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_57), (&param_58), (&param_59), (&param_60));
             }
-            let _e106 = local_2;
-            i_1 = _e106;
-            let _e107 = from_1;
-            let _e108 = thread_2;
-            let _e110 = end;
-            if ((_e107 + _e108) < _e110) {
-                let _e112 = (*corner_2);
-                let _e114 = thread_2;
-                param_47 = _e114;
-                let _e115 = i_1;
-                param_48 = _e115;
-                param_49 = vec2<f32>(_e112);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_47), (&param_48), (&param_49));
-            }
+            let _e134 = next;
+            i_1 = _e134;
+            let _e135 = pair_1;
+            param_61 = _e135;
+            let _e136 = splat_of_u0028_u1_u003b((&param_61));
+            next = _e136;
+            let _e137 = from_2;
+            let _e139 = thread_2;
+            param_62 = ((_e137 + 768u) + _e139);
+            let _e141 = end_1;
+            param_63 = _e141;
+            let _e142 = pair_at_u0028_u1_u003b_u1_u003b((&param_62), (&param_63));
+            pair_1 = _e142;
             workgroupBarrier();
-            let _e116 = workgroupUniformLoad((&batch_open));
-            if (_e116 == 0u) {
+            let _e143 = workgroupUniformLoad((&batch_open));
+            if (_e143 == 0u) {
                 break;
             }
             word_2 = 0u;
             loop {
-                let _e118 = word_2;
-                let _e121 = (*samples_2).open;
-                if ((_e118 < 2u) && _e121) {
-                    let _e123 = thread_2;
-                    param_50 = _e123;
-                    let _e124 = word_2;
-                    param_51 = _e124;
-                    let _e125 = hits_of_u0028_u1_u003b_u1_u003b((&param_50), (&param_51));
-                    hits = _e125;
-                    loop {
-                        let _e126 = hits;
-                        let _e129 = (*samples_2).open;
-                        if ((_e126 != 0u) && _e129) {
-                            let _e131 = hits;
-                            k_4 = bitcast<u32>(firstTrailingBit(_e131));
-                            let _e134 = hits;
-                            let _e136 = hits;
-                            hits = (_e136 & (_e134 - 1u));
-                            let _e138 = word_2;
-                            let _e140 = k_4;
-                            let _e142 = (*samples_2);
-                            param_52 = _e142;
-                            param_53 = ((32u * _e138) + _e140);
-                            let _e143 = (*first_3);
-                            param_54 = _e143;
-                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_52), (&param_53), (&param_54));
-                            let _e144 = param_52;
-                            (*samples_2) = _e144;
-                            continue;
-                        } else {
-                            break;
-                        }
-                    }
+                let _e145 = word_2;
+                let _e148 = (*samples_3).open;
+                if ((_e145 < 8u) && _e148) {
+                    let _e150 = thread_2;
+                    param_64 = _e150;
+                    let _e151 = word_2;
+                    param_65 = _e151;
+                    let _e152 = hits_of_u0028_u1_u003b_u1_u003b((&param_64), (&param_65));
+                    let _e153 = word_2;
+                    let _e155 = (*samples_3);
+                    param_66 = _e155;
+                    param_67 = _e152;
+                    param_68 = (32u * _e153);
+                    let _e156 = (*first_4);
+                    param_69 = _e156;
+                    blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_66), (&param_67), (&param_68), (&param_69));
+                    let _e157 = param_66;
+                    (*samples_3) = _e157;
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e145 = word_2;
-                    word_2 = (_e145 + bitcast<u32>(1i));
+                    let _e158 = word_2;
+                    word_2 = (_e158 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
@@ -792,51 +1011,41 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
             break;
         }
         continuing {
-            let _e148 = from_1;
-            from_1 = (_e148 + 64u);
+            let _e161 = from_2;
+            from_2 = (_e161 + 256u);
         }
     }
     return;
 }
 
 fn is_drawn_u0028_vu2_u003b(corner_3: ptr<function, vec2<u32>>) -> bool {
-    var at_2: vec2<f32>;
-    var phi_261_: bool;
-    var phi_262_: bool;
+    var at_3: vec2<f32>;
+    var phi_274_: bool;
+    var phi_275_: bool;
 
     let _e4 = (*corner_3);
-    at_2 = vec2<f32>(_e4);
+    at_3 = vec2<f32>(_e4);
     let _e7 = frame.area_reach;
     let _e8 = (_e7 < 0f);
-    phi_262_ = _e8;
+    phi_275_ = _e8;
     if !(_e8) {
-        let _e10 = at_2;
+        let _e10 = at_3;
         let _e12 = frame.area;
         let _e15 = all((_e10 >= _e12.xy));
-        phi_261_ = _e15;
+        phi_274_ = _e15;
         if _e15 {
-            let _e16 = at_2;
+            let _e16 = at_3;
             let _e18 = frame.area;
-            phi_261_ = all((_e16 < _e18.zw));
+            phi_274_ = all((_e16 < _e18.zw));
         }
-        let _e23 = phi_261_;
-        phi_262_ = _e23;
+        let _e23 = phi_274_;
+        phi_275_ = _e23;
     }
-    let _e25 = phi_262_;
+    let _e25 = phi_275_;
     return _e25;
 }
 
-fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
-    let _e5 = (*index);
-    let _e7 = (*index);
-    let _e12 = (*index);
-    let _e17 = (*index);
-    let _e21 = (*index);
-    let _e26 = (*index);
-    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
-}
-
-@compute @workgroup_size(64, 1, 1) 
+@compute @workgroup_size(256, 1, 1) 
 fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(workgroup_id) gl_WorkGroupID: vec3<u32>) {
     var corner: vec2<u32>;
     var first: vec2<u32>;
@@ -859,12 +1068,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_14: vec2<u32>;
     var param_15: vec4<f32>;
     var param_16: bool;
-    var phi_1176_: bool;
+    var phi_1371_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
     let _e38 = settings.first_region;
-    corner = ((_e38 + bitcast<vec3<u32>>(gl_WorkGroupID).xy) * vec2(16u));
+    corner = ((_e38 + bitcast<vec3<u32>>(gl_WorkGroupID).xy) * vec2(32u));
     param = bitcast<u32>(gl_LocalInvocationIndex);
     let _e45 = place_of_u0028_u1_u003b((&param));
     first = (vec2(2u) * _e45);
@@ -921,12 +1130,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_14), (&param_15), (&param_16));
     let _e98 = settings.counted;
     let _e99 = (_e98 != 0u);
-    phi_1176_ = _e99;
+    phi_1371_ = _e99;
     if _e99 {
         let _e101 = samples.evaluated;
-        phi_1176_ = (_e101 > 0u);
+        phi_1371_ = (_e101 > 0u);
     }
-    let _e104 = phi_1176_;
+    let _e104 = phi_1371_;
     if _e104 {
         let _e108 = samples.evaluated;
         let _e109 = atomicAdd((&unnamed_3.control.fragments), _e108);

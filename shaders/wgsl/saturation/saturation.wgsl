@@ -16,10 +16,7 @@ struct Ellipse {
 }
 
 struct Seen {
-    deviation: vec2<f32>,
-    right: vec2<f32>,
-    down: vec2<f32>,
-    exponent: f32,
+    opacity: vec4<f32>,
     word: u32,
 }
 
@@ -122,12 +119,12 @@ struct SettingsBlock {
     bin_margin: f32,
 }
 
-struct Bins {
-    bins: array<u32>,
-}
-
 struct Sorted {
     sorted: array<u32>,
+}
+
+struct Bins {
+    bins: array<u32>,
 }
 
 struct Marks {
@@ -153,12 +150,12 @@ struct Splats_1 {
     splats: array<vec4<u32>, LENGTH_1_16>,
 }
 
-struct Bins_1 {
-    bins: array<u32, LENGTH_4_4>,
-}
-
 struct Sorted_1 {
     sorted: array<u32, LENGTH_3_4>,
+}
+
+struct Bins_1 {
+    bins: array<u32, LENGTH_4_4>,
 }
 
 struct Marks_1 {
@@ -174,13 +171,13 @@ var<uniform> settings: SettingsBlock;
 var<workgroup> batch_hits: array<atomic<u32>, 128>;
 var<workgroup> batch_place: array<vec4<f32>, 64>;
 var<workgroup> batch_shape: array<vec4<f32>, 64>;
-var<private> gl_LocalInvocationIndex_1: u32;
-@group(0) @binding(4) 
-var<storage> unnamed_1: Bins_1;
-var<workgroup> batch_seen: array<u32, 64>;
-var<workgroup> batch_open: u32;
 @group(0) @binding(3) 
-var<storage> unnamed_2: Sorted_1;
+var<storage> unnamed_1: Sorted_1;
+@group(0) @binding(4) 
+var<storage> unnamed_2: Bins_1;
+var<workgroup> batch_seen: array<u32, 64>;
+var<private> gl_LocalInvocationIndex_1: u32;
+var<workgroup> batch_open: u32;
 @group(0) @binding(6) 
 var<storage, read_write> unnamed_3: Marks_1;
 @group(0) @binding(5) 
@@ -200,9 +197,76 @@ fn store_u0028_vu2_u003b_u1_u003b(at: ptr<function, vec2<u32>>, word: ptr<functi
     return;
 }
 
+fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b(samples_1: ptr<function, Samples>, seen: ptr<function, Seen>) {
+    var s: u32;
+    var light: f32;
+    var behind: f32;
+    var local: u32;
+    var phi_913_: bool;
+
+    s = 0u;
+    loop {
+        let _e13 = s;
+        if (_e13 < 4u) {
+            let _e15 = s;
+            let _e18 = (*samples_1).light[_e15];
+            light = _e18;
+            let _e19 = light;
+            let _e20 = light;
+            let _e21 = s;
+            let _e24 = (*seen).opacity[_e21];
+            behind = (_e19 - (_e20 * _e24));
+            let _e27 = s;
+            let _e28 = light;
+            let _e30 = settings.saturation;
+            let _e31 = (_e28 >= _e30);
+            phi_913_ = _e31;
+            if _e31 {
+                let _e32 = behind;
+                let _e34 = settings.saturation;
+                phi_913_ = (_e32 < _e34);
+            }
+            let _e37 = phi_913_;
+            if _e37 {
+                let _e39 = (*seen).word;
+                local = _e39;
+            } else {
+                let _e40 = s;
+                let _e43 = (*samples_1).word[_e40];
+                local = _e43;
+            }
+            let _e44 = local;
+            (*samples_1).word[_e27] = _e44;
+            let _e47 = s;
+            let _e48 = behind;
+            (*samples_1).light[_e47] = _e48;
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e51 = s;
+            s = (_e51 + bitcast<u32>(1i));
+        }
+    }
+    let _e56 = (*samples_1).light[0i];
+    let _e59 = (*samples_1).light[1i];
+    let _e63 = (*samples_1).light[2i];
+    let _e66 = (*samples_1).light[3i];
+    let _e70 = settings.saturation;
+    (*samples_1).open = (max(max(_e56, _e59), max(_e63, _e66)) >= _e70);
+    return;
+}
+
+fn note_seen_u0028_u1_u003b(k: ptr<function, u32>) {
+    let _e3 = (*k);
+    batch_seen[_e3] = 1u;
+    return;
+}
+
 fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>) -> f32 {
     var power: f32;
-    var local: f32;
+    var local_1: f32;
 
     let _e7 = (*exponent);
     let _e8 = (*deviation);
@@ -212,235 +276,228 @@ fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, expo
     let _e14 = settings.cutoff_exponent;
     if (_e12 >= _e14) {
         let _e16 = power;
-        local = min(0.99f, exp2(_e16));
+        local_1 = min(0.99f, exp2(_e16));
     } else {
-        local = 0f;
+        local_1 = 0f;
     }
-    let _e19 = local;
+    let _e19 = local_1;
     return _e19;
 }
 
-fn blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b(light: ptr<function, f32>, word_1: ptr<function, u32>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, own: ptr<function, u32>) {
-    var behind: f32;
-    var param_12: vec2<f32>;
-    var param_13: f32;
-    var phi_860_: bool;
-
-    let _e9 = (*light);
-    let _e10 = (*light);
-    let _e11 = (*deviation_1);
-    param_12 = _e11;
-    let _e12 = (*exponent_1);
-    param_13 = _e12;
-    let _e13 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_12), (&param_13));
-    behind = (_e9 - (_e10 * _e13));
-    let _e16 = (*light);
-    let _e18 = settings.saturation;
-    let _e19 = (_e16 >= _e18);
-    phi_860_ = _e19;
-    if _e19 {
-        let _e20 = behind;
-        let _e22 = settings.saturation;
-        phi_860_ = (_e20 < _e22);
-    }
-    let _e25 = phi_860_;
-    let _e26 = (*own);
-    let _e27 = (*word_1);
-    (*word_1) = select(_e27, _e26, _e25);
-    let _e29 = behind;
-    (*light) = _e29;
-    return;
-}
-
-fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
+fn see_u0028_u1_u003b_vf2_u003b(k_1: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
     var place: vec4<f32>;
     var shape: vec4<f32>;
     var from_: vec2<f32>;
-    var seen: Seen;
-
-    let _e13 = (*k);
-    let _e15 = batch_place[_e13];
-    place = _e15;
-    let _e16 = (*k);
-    let _e18 = batch_shape[_e16];
-    shape = _e18;
-    let _e19 = (*first_1);
-    let _e20 = place;
-    from_ = (_e19 - _e20.xy);
-    let _e23 = from_;
-    let _e24 = place;
-    let _e27 = from_;
-    let _e28 = shape;
-    seen.deviation = vec2<f32>(dot(_e23, _e24.zw), dot(_e27, _e28.xy));
-    let _e34 = place[2u];
-    let _e36 = shape[0u];
-    seen.right = (vec2<f32>(_e34, _e36) * 2f);
-    let _e41 = place[3u];
-    let _e43 = shape[1u];
-    seen.down = (vec2<f32>(_e41, _e43) * 2f);
-    let _e48 = shape[2u];
-    seen.exponent = _e48;
-    let _e51 = shape[3u];
-    seen.word = bitcast<u32>(_e51);
-    let _e54 = seen;
-    return _e54;
-}
-
-fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b(samples_1: ptr<function, Samples>, k_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
-    var seen_1: Seen;
-    var param_14: u32;
-    var param_15: vec2<f32>;
+    var deviation_1: vec2<f32>;
     var right: vec2<f32>;
-    var param_16: f32;
-    var param_17: u32;
+    var down: vec2<f32>;
+    var seen_1: Seen;
+    var param_12: vec2<f32>;
+    var param_13: f32;
+    var param_14: vec2<f32>;
+    var param_15: f32;
+    var param_16: vec2<f32>;
+    var param_17: f32;
     var param_18: vec2<f32>;
     var param_19: f32;
+
+    let _e24 = (*k_1);
+    let _e26 = batch_place[_e24];
+    place = _e26;
+    let _e27 = (*k_1);
+    let _e29 = batch_shape[_e27];
+    shape = _e29;
+    let _e30 = (*first_1);
+    let _e31 = place;
+    from_ = (_e30 - _e31.xy);
+    let _e34 = from_;
+    let _e35 = place;
+    let _e38 = from_;
+    let _e39 = shape;
+    deviation_1 = vec2<f32>(dot(_e34, _e35.zw), dot(_e38, _e39.xy));
+    let _e43 = deviation_1;
+    let _e45 = place[2u];
+    let _e47 = shape[0u];
+    right = (_e43 + (vec2<f32>(_e45, _e47) * 2f));
+    let _e52 = place[3u];
+    let _e54 = shape[1u];
+    down = (vec2<f32>(_e52, _e54) * 2f);
+    let _e57 = deviation_1;
+    param_12 = _e57;
+    let _e59 = shape[2u];
+    param_13 = _e59;
+    let _e60 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_12), (&param_13));
+    let _e61 = right;
+    param_14 = _e61;
+    let _e63 = shape[2u];
+    param_15 = _e63;
+    let _e64 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_14), (&param_15));
+    let _e65 = deviation_1;
+    let _e66 = down;
+    param_16 = (_e65 + _e66);
+    let _e69 = shape[2u];
+    param_17 = _e69;
+    let _e70 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_16), (&param_17));
+    let _e71 = right;
+    let _e72 = down;
+    param_18 = (_e71 + _e72);
+    let _e75 = shape[2u];
+    param_19 = _e75;
+    let _e76 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_18), (&param_19));
+    seen_1.opacity = vec4<f32>(_e60, _e64, _e70, _e76);
+    let _e80 = shape[3u];
+    seen_1.word = bitcast<u32>(_e80);
+    let _e83 = seen_1;
+    return _e83;
+}
+
+fn blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b(samples_2: ptr<function, Samples>, hits: ptr<function, u32>, from_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
+    var k_2: u32;
+    var both: bool;
+    var l: u32;
+    var local_2: u32;
+    var seen_2: Seen;
     var param_20: u32;
-    var param_21: f32;
+    var param_21: vec2<f32>;
+    var second: Seen;
     var param_22: u32;
     var param_23: vec2<f32>;
-    var param_24: f32;
-    var param_25: u32;
-    var param_26: f32;
+    var param_24: u32;
+    var param_25: Samples;
+    var param_26: Seen;
+    var shows: bool;
     var param_27: u32;
-    var param_28: vec2<f32>;
-    var param_29: f32;
-    var param_30: u32;
-    var param_31: f32;
-    var param_32: u32;
-    var param_33: vec2<f32>;
-    var param_34: f32;
-    var param_35: u32;
+    var param_28: Samples;
+    var param_29: Seen;
 
-    let _e33 = (*k_1);
-    param_14 = _e33;
-    let _e34 = (*first_2);
-    param_15 = _e34;
-    let _e35 = see_u0028_u1_u003b_vf2_u003b((&param_14), (&param_15));
-    seen_1 = _e35;
-    let _e37 = seen_1.deviation;
-    let _e39 = seen_1.right;
-    right = (_e37 + _e39);
-    let _e43 = (*samples_1).light[0i];
-    param_16 = _e43;
-    let _e46 = (*samples_1).word[0i];
-    param_17 = _e46;
-    let _e48 = seen_1.deviation;
-    param_18 = _e48;
-    let _e50 = seen_1.exponent;
-    param_19 = _e50;
-    let _e52 = seen_1.word;
-    param_20 = _e52;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_16), (&param_17), (&param_18), (&param_19), (&param_20));
-    let _e53 = param_16;
-    (*samples_1).light[0i] = _e53;
-    let _e56 = param_17;
-    (*samples_1).word[0i] = _e56;
-    let _e61 = (*samples_1).light[1i];
-    param_21 = _e61;
-    let _e64 = (*samples_1).word[1i];
-    param_22 = _e64;
-    let _e65 = right;
-    param_23 = _e65;
-    let _e67 = seen_1.exponent;
-    param_24 = _e67;
-    let _e69 = seen_1.word;
-    param_25 = _e69;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_21), (&param_22), (&param_23), (&param_24), (&param_25));
-    let _e70 = param_21;
-    (*samples_1).light[1i] = _e70;
-    let _e73 = param_22;
-    (*samples_1).word[1i] = _e73;
-    let _e77 = seen_1.deviation;
-    let _e79 = seen_1.down;
-    let _e83 = (*samples_1).light[2i];
-    param_26 = _e83;
-    let _e86 = (*samples_1).word[2i];
-    param_27 = _e86;
-    param_28 = (_e77 + _e79);
-    let _e88 = seen_1.exponent;
-    param_29 = _e88;
-    let _e90 = seen_1.word;
-    param_30 = _e90;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_26), (&param_27), (&param_28), (&param_29), (&param_30));
-    let _e91 = param_26;
-    (*samples_1).light[2i] = _e91;
-    let _e94 = param_27;
-    (*samples_1).word[2i] = _e94;
-    let _e97 = right;
-    let _e99 = seen_1.down;
-    let _e103 = (*samples_1).light[3i];
-    param_31 = _e103;
-    let _e106 = (*samples_1).word[3i];
-    param_32 = _e106;
-    param_33 = (_e97 + _e99);
-    let _e108 = seen_1.exponent;
-    param_34 = _e108;
-    let _e110 = seen_1.word;
-    param_35 = _e110;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_31), (&param_32), (&param_33), (&param_34), (&param_35));
-    let _e111 = param_31;
-    (*samples_1).light[3i] = _e111;
-    let _e114 = param_32;
-    (*samples_1).word[3i] = _e114;
-    let _e119 = (*samples_1).light[0i];
-    let _e122 = (*samples_1).light[1i];
-    let _e126 = (*samples_1).light[2i];
-    let _e129 = (*samples_1).light[3i];
-    let _e133 = settings.saturation;
-    (*samples_1).open = (max(max(_e119, _e122), max(_e126, _e129)) >= _e133);
-    let _e137 = (*samples_1).evaluated;
-    (*samples_1).evaluated = (_e137 + 4u);
+    loop {
+        let _e27 = (*hits);
+        let _e30 = (*samples_2).open;
+        if ((_e27 != 0u) && _e30) {
+            let _e32 = (*from_1);
+            let _e33 = (*hits);
+            k_2 = (_e32 + bitcast<u32>(firstTrailingBit(_e33)));
+            let _e37 = (*hits);
+            let _e39 = (*hits);
+            (*hits) = (_e39 & (_e37 - 1u));
+            let _e41 = (*hits);
+            both = (_e41 != 0u);
+            let _e43 = both;
+            if _e43 {
+                let _e44 = (*from_1);
+                let _e45 = (*hits);
+                local_2 = (_e44 + bitcast<u32>(firstTrailingBit(_e45)));
+            } else {
+                let _e49 = k_2;
+                local_2 = _e49;
+            }
+            let _e50 = local_2;
+            l = _e50;
+            let _e51 = (*hits);
+            let _e53 = (*hits);
+            (*hits) = (_e53 & (_e51 - 1u));
+            let _e55 = k_2;
+            param_20 = _e55;
+            let _e56 = (*first_2);
+            param_21 = _e56;
+            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_20), (&param_21));
+            seen_2 = _e57;
+            let _e58 = l;
+            param_22 = _e58;
+            let _e59 = (*first_2);
+            param_23 = _e59;
+            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_22), (&param_23));
+            second = _e60;
+            let _e61 = k_2;
+            param_24 = _e61;
+            note_seen_u0028_u1_u003b((&param_24));
+            let _e62 = (*samples_2);
+            param_25 = _e62;
+            let _e63 = seen_2;
+            param_26 = _e63;
+            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_25), (&param_26));
+            let _e64 = param_25;
+            (*samples_2) = _e64;
+            let _e65 = both;
+            let _e67 = (*samples_2).open;
+            shows = (_e65 && _e67);
+            let _e69 = shows;
+            if _e69 {
+                let _e70 = l;
+                param_27 = _e70;
+                note_seen_u0028_u1_u003b((&param_27));
+            }
+            let _e71 = shows;
+            let _e74 = second.opacity;
+            second.opacity = (_e74 * select(0f, 1f, _e71));
+            let _e77 = (*samples_2);
+            param_28 = _e77;
+            let _e78 = second;
+            param_29 = _e78;
+            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_28), (&param_29));
+            let _e79 = param_28;
+            (*samples_2) = _e79;
+            let _e80 = shows;
+            let _e83 = (*samples_2).evaluated;
+            (*samples_2).evaluated = (_e83 + select(4u, 8u, _e80));
+            continue;
+        } else {
+            break;
+        }
+    }
     return;
 }
 
 fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
-    let _e5 = (*index);
+    var bits: vec2<u32>;
+
     let _e7 = (*index);
-    let _e12 = (*index);
-    let _e17 = (*index);
-    let _e21 = (*index);
-    let _e26 = (*index);
-    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
+    let _e8 = (*index);
+    bits = vec2<u32>(_e7, (_e8 >> bitcast<u32>(1u)));
+    let _e12 = bits;
+    let _e15 = bits;
+    let _e22 = bits;
+    let _e29 = bits;
+    return ((((_e12 & vec2(1u)) | ((_e15 >> bitcast<vec2<u32>>(vec2(1u))) & vec2(2u))) | ((_e22 >> bitcast<vec2<u32>>(vec2(2u))) & vec2(4u))) | ((_e29 >> bitcast<vec2<u32>>(vec2(3u))) & vec2(8u)));
 }
 
-fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word_2: ptr<function, u32>) -> u32 {
+fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word_1: ptr<function, u32>) -> u32 {
     var place_1: vec2<u32>;
-    var param_36: u32;
-    var hits: u32;
-    var k_2: u32;
-    var bits: u32;
+    var param_30: u32;
+    var hits_1: u32;
+    var k_3: u32;
+    var bits_1: u32;
 
     let _e14 = (*thread);
-    param_36 = _e14;
-    let _e15 = place_of_u0028_u1_u003b((&param_36));
-    place_1 = _e15;
-    hits = 0u;
-    k_2 = 0u;
+    param_30 = _e14;
+    let _e15 = place_of_u0028_u1_u003b((&param_30));
+    place_1 = (_e15 / vec2(1u));
+    hits_1 = 0u;
+    k_3 = 0u;
     loop {
-        let _e16 = k_2;
-        if (_e16 < 8u) {
-            let _e19 = place_1[1u];
-            let _e21 = (*word_2);
-            let _e24 = k_2;
-            let _e27 = atomicLoad((&batch_hits[(((_e19 * 16u) + (8u * _e21)) + _e24)]));
-            bits = _e27;
-            let _e28 = bits;
-            let _e30 = place_1[0u];
-            let _e34 = k_2;
-            let _e37 = hits;
-            hits = (_e37 | (((_e28 >> bitcast<u32>(_e30)) & 16843009u) << bitcast<u32>(_e34)));
+        let _e18 = k_3;
+        if (_e18 < 8u) {
+            let _e21 = place_1[1u];
+            let _e23 = (*word_1);
+            let _e26 = k_3;
+            let _e29 = atomicLoad((&batch_hits[(((_e21 * 16u) + (8u * _e23)) + _e26)]));
+            bits_1 = _e29;
+            let _e30 = bits_1;
+            let _e32 = place_1[0u];
+            let _e36 = k_3;
+            let _e39 = hits_1;
+            hits_1 = (_e39 | (((_e30 >> bitcast<u32>(_e32)) & 16843009u) << bitcast<u32>(_e36)));
             continue;
         } else {
             break;
         }
         continuing {
-            let _e39 = k_2;
-            k_2 = (_e39 + bitcast<u32>(1i));
+            let _e41 = k_3;
+            k_3 = (_e41 + bitcast<u32>(1i));
         }
     }
-    let _e42 = hits;
-    return _e42;
+    let _e44 = hits_1;
+    return _e44;
 }
 
 fn saturated_word_u0028_f1_u003b_vf3_u003b(depth: ptr<function, f32>, color: ptr<function, vec3<f32>>) -> u32 {
@@ -456,44 +513,44 @@ fn saturated_word_u0028_f1_u003b_vf3_u003b(depth: ptr<function, f32>, color: ptr
 }
 
 fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
-    var word_3: u32;
-    var local_1: u32;
+    var word_2: u32;
+    var local_3: u32;
     var keys: u32;
-    var local_2: u32;
+    var local_4: u32;
 
     let _e14 = frame.key_start;
     let _e16 = frame.half_keys;
     if (_e16 != 0u) {
         let _e18 = (*i);
-        local_1 = (_e18 >> bitcast<u32>(1u));
+        local_3 = (_e18 >> bitcast<u32>(1u));
     } else {
         let _e21 = (*i);
-        local_1 = _e21;
+        local_3 = _e21;
     }
-    let _e22 = local_1;
-    word_3 = (_e14 + _e22);
-    let _e24 = word_3;
-    let _e27 = word_3;
+    let _e22 = local_3;
+    word_2 = (_e14 + _e22);
+    let _e24 = word_2;
+    let _e27 = word_2;
     let _e32 = unnamed.splats[(_e24 >> bitcast<u32>(2u))][(_e27 & 3u)];
     keys = _e32;
     let _e34 = frame.half_keys;
     if (_e34 != 0u) {
         let _e36 = keys;
         let _e37 = (*i);
-        local_2 = ((_e36 >> bitcast<u32>((16u * (_e37 & 1u)))) & 65535u);
+        local_4 = ((_e36 >> bitcast<u32>((16u * (_e37 & 1u)))) & 65535u);
     } else {
         let _e43 = keys;
-        local_2 = _e43;
+        local_4 = _e43;
     }
-    let _e44 = local_2;
+    let _e44 = local_4;
     return _e44;
 }
 
 fn intervals_u0028_f1_u003b_f1_u003b_f1_u003b(low: ptr<function, f32>, high: ptr<function, f32>, side: ptr<function, f32>) -> vec2<u32> {
     var first_3: f32;
     var last: f32;
-    var local_3: u32;
-    var local_4: u32;
+    var local_5: u32;
+    var local_6: u32;
 
     let _e15 = (*low);
     let _e18 = settings.bin_margin;
@@ -506,29 +563,29 @@ fn intervals_u0028_f1_u003b_f1_u003b_f1_u003b(low: ptr<function, f32>, high: ptr
     let _e30 = first_3;
     if (_e30 > 0f) {
         let _e32 = first_3;
-        local_3 = u32(ceil(min(_e32, 8f)));
+        local_5 = u32(ceil(min(_e32, 8f)));
     } else {
-        local_3 = 0u;
+        local_5 = 0u;
     }
-    let _e36 = local_3;
+    let _e36 = local_5;
     let _e37 = last;
     if (_e37 < 8f) {
         let _e39 = last;
-        local_4 = u32((floor(max(_e39, -1f)) + 1f));
+        local_6 = u32((floor(max(_e39, -1f)) + 1f));
     } else {
-        local_4 = 8u;
+        local_6 = 8u;
     }
-    let _e44 = local_4;
+    let _e44 = local_6;
     return vec2<u32>(_e36, _e44);
 }
 
-fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b(k_3: ptr<function, u32>, e: ptr<function, Ellipse>) -> bool {
+fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b(k_4: ptr<function, u32>, e: ptr<function, Ellipse>) -> bool {
     var turn: f32;
     var height: f32;
     var rows: vec2<u32>;
-    var param_37: f32;
-    var param_38: f32;
-    var param_39: f32;
+    var param_31: f32;
+    var param_32: f32;
+    var param_33: f32;
     var place_2: u32;
     var meets: bool;
     var row: u32;
@@ -539,11 +596,11 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var reach: vec2<f32>;
     var ends: vec2<f32>;
     var met: vec2<u32>;
-    var param_40: f32;
-    var param_41: f32;
-    var param_42: f32;
-    var bits_1: u32;
-    var phi_543_: bool;
+    var param_34: f32;
+    var param_35: f32;
+    var param_36: f32;
+    var bits_2: u32;
+    var phi_558_: bool;
 
     let _e40 = (*e).b;
     let _e43 = (*e).most;
@@ -558,13 +615,13 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     let _e64 = height;
     let _e68 = (*e).center[1u];
     let _e69 = height;
-    param_37 = (_e63 - _e64);
-    param_38 = (_e68 + _e69);
-    param_39 = 4f;
-    let _e71 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_37), (&param_38), (&param_39));
+    param_31 = (_e63 - _e64);
+    param_32 = (_e68 + _e69);
+    param_33 = 4f;
+    let _e71 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_31), (&param_32), (&param_33));
     rows = _e71;
-    let _e72 = (*k_3);
-    let _e76 = (*k_3);
+    let _e72 = (*k_4);
+    let _e76 = (*k_4);
     place_2 = (((_e72 >> bitcast<u32>(5u)) * 8u) + (_e76 & 7u));
     meets = false;
     let _e80 = rows[0u];
@@ -603,30 +660,30 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
             let _e148 = (*e).center[0u];
             ends = ((((_e133 * -(_e131)) + vec2<f32>(-(_e136), _e139)) / vec2(_e143)) + vec2(_e148));
             let _e152 = ends[0u];
-            param_40 = _e152;
+            param_34 = _e152;
             let _e154 = ends[1u];
-            param_41 = _e154;
-            param_42 = 4f;
-            let _e155 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_40), (&param_41), (&param_42));
+            param_35 = _e154;
+            param_36 = 4f;
+            let _e155 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_34), (&param_35), (&param_36));
             met = _e155;
             let _e157 = met[0u];
             let _e159 = met[1u];
             let _e160 = (_e157 < _e159);
-            phi_543_ = _e160;
+            phi_558_ = _e160;
             if _e160 {
                 let _e162 = squared[0u];
                 let _e164 = squared[1u];
-                phi_543_ = !((max(_e162, _e164) < 0f));
+                phi_558_ = !((max(_e162, _e164) < 0f));
             }
-            let _e169 = phi_543_;
+            let _e169 = phi_558_;
             if _e169 {
                 let _e171 = met[1u];
                 let _e175 = met[0u];
-                bits_1 = ((1u << bitcast<u32>(_e171)) - (1u << bitcast<u32>(_e175)));
+                bits_2 = ((1u << bitcast<u32>(_e171)) - (1u << bitcast<u32>(_e175)));
                 let _e179 = row;
                 let _e181 = place_2;
-                let _e184 = bits_1;
-                let _e185 = (*k_3);
+                let _e184 = bits_2;
+                let _e185 = (*k_4);
                 let _e189 = atomicOr((&batch_hits[((_e179 * 16u) + _e181)]), (_e184 << bitcast<u32>((_e185 & 24u))));
                 meets = true;
             }
@@ -650,14 +707,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_43: vec4<u32>;
+    var param_37: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_43 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_43));
+    param_37 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_37));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -682,100 +739,131 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     return _e75;
 }
 
-fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread_1: ptr<function, u32>, i_1: ptr<function, u32>, corner: ptr<function, vec2<f32>>) {
+fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>, i_1: ptr<function, u32>, packed: ptr<function, vec4<u32>>, corner: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_44: vec4<u32>;
+    var param_38: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
-    var exponent_2: f32;
+    var exponent_1: f32;
     var ellipse: Ellipse;
-    var param_45: u32;
-    var param_46: Ellipse;
-    var word_4: u32;
-    var param_47: u32;
-    var param_48: f32;
-    var param_49: vec3<f32>;
-    var phi_724_: bool;
+    var param_39: u32;
+    var param_40: Ellipse;
+    var word_3: u32;
+    var param_41: u32;
+    var param_42: f32;
+    var param_43: vec3<f32>;
+    var phi_738_: bool;
 
-    let _e28 = (*i_1);
-    let _e31 = unnamed.splats[_e28];
-    param_44 = _e31;
-    let _e32 = unpack_splat_u0028_vu4_u003b((&param_44));
-    splat_1 = _e32;
-    let _e34 = splat_1.axis;
-    let _e36 = splat_1.axis;
-    inverse = (1f / dot(_e34, _e36));
-    let _e39 = inverse;
-    let _e42 = splat_1.axis;
-    along = (_e42 * (0.8493218f * _e39));
-    let _e44 = inverse;
-    let _e48 = splat_1.shorter;
-    let _e52 = splat_1.axis[1u];
-    let _e56 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e52), _e56) * ((0.8493218f * sqrt(_e44)) / _e48));
-    let _e60 = splat_1.opacity;
-    exponent_2 = log2((f32(_e60) / 255f));
-    let _e65 = splat_1.center;
-    let _e66 = (*corner);
-    ellipse.center = (_e65 - _e66);
-    let _e70 = along[0u];
-    let _e72 = along[0u];
-    let _e75 = across[0u];
-    let _e77 = across[0u];
-    ellipse.a = ((_e70 * _e72) + (_e75 * _e77));
-    let _e82 = along[0u];
-    let _e84 = along[1u];
-    let _e87 = across[0u];
-    let _e89 = across[1u];
-    ellipse.b = ((_e82 * _e84) + (_e87 * _e89));
-    let _e94 = along[1u];
-    let _e96 = along[1u];
-    let _e99 = across[1u];
-    let _e101 = across[1u];
-    ellipse.c = ((_e94 * _e96) + (_e99 * _e101));
-    let _e105 = along;
-    let _e106 = along;
-    let _e108 = across;
-    let _e109 = across;
-    ellipse.determinant = (dot(_e105, _e106) * dot(_e108, _e109));
-    let _e113 = exponent_2;
-    let _e115 = settings.cutoff_exponent;
-    ellipse.most = ((_e113 - _e115) + 0.00390625f);
-    let _e120 = ellipse.most;
-    let _e121 = (_e120 < 0f);
-    phi_724_ = _e121;
-    if !(_e121) {
-        let _e123 = (*thread_1);
-        param_45 = _e123;
-        let _e124 = ellipse;
-        param_46 = _e124;
-        let _e125 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_45), (&param_46));
-        phi_724_ = !(_e125);
+    let _e28 = (*packed);
+    param_38 = _e28;
+    let _e29 = unpack_splat_u0028_vu4_u003b((&param_38));
+    splat_1 = _e29;
+    let _e31 = splat_1.axis;
+    let _e33 = splat_1.axis;
+    inverse = (1f / dot(_e31, _e33));
+    let _e36 = inverse;
+    let _e39 = splat_1.axis;
+    along = (_e39 * (0.8493218f * _e36));
+    let _e41 = inverse;
+    let _e45 = splat_1.shorter;
+    let _e49 = splat_1.axis[1u];
+    let _e53 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e49), _e53) * ((0.8493218f * sqrt(_e41)) / _e45));
+    let _e57 = splat_1.opacity;
+    exponent_1 = log2((f32(_e57) / 255f));
+    let _e62 = splat_1.center;
+    let _e63 = (*corner);
+    ellipse.center = (_e62 - _e63);
+    let _e67 = along[0u];
+    let _e69 = along[0u];
+    let _e72 = across[0u];
+    let _e74 = across[0u];
+    ellipse.a = ((_e67 * _e69) + (_e72 * _e74));
+    let _e79 = along[0u];
+    let _e81 = along[1u];
+    let _e84 = across[0u];
+    let _e86 = across[1u];
+    ellipse.b = ((_e79 * _e81) + (_e84 * _e86));
+    let _e91 = along[1u];
+    let _e93 = along[1u];
+    let _e96 = across[1u];
+    let _e98 = across[1u];
+    ellipse.c = ((_e91 * _e93) + (_e96 * _e98));
+    let _e102 = along;
+    let _e103 = along;
+    let _e105 = across;
+    let _e106 = across;
+    ellipse.determinant = (dot(_e102, _e103) * dot(_e105, _e106));
+    let _e110 = exponent_1;
+    let _e112 = settings.cutoff_exponent;
+    ellipse.most = ((_e110 - _e112) + 0.00390625f);
+    let _e117 = ellipse.most;
+    let _e118 = (_e117 < 0f);
+    phi_738_ = _e118;
+    if !(_e118) {
+        let _e120 = (*thread_1);
+        param_39 = _e120;
+        let _e121 = ellipse;
+        param_40 = _e121;
+        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_39), (&param_40));
+        phi_738_ = !(_e122);
     }
-    let _e128 = phi_724_;
-    if _e128 {
+    let _e125 = phi_738_;
+    if _e125 {
         return;
     }
-    let _e129 = (*i_1);
-    param_47 = _e129;
-    let _e130 = key_at_u0028_u1_u003b((&param_47));
-    let _e133 = frame.key_max;
-    param_48 = (1f - (f32(_e130) / f32(_e133)));
-    let _e138 = splat_1.color;
-    param_49 = _e138;
-    let _e139 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_48), (&param_49));
-    word_4 = _e139;
-    let _e140 = (*thread_1);
-    let _e142 = ellipse.center;
-    let _e143 = along;
-    batch_place[_e140] = vec4<f32>(_e142.x, _e142.y, _e143.x, _e143.y);
-    let _e150 = (*thread_1);
-    let _e151 = across;
-    let _e152 = exponent_2;
-    let _e153 = word_4;
-    batch_shape[_e150] = vec4<f32>(_e151.x, _e151.y, _e152, bitcast<f32>(_e153));
+    let _e126 = (*i_1);
+    param_41 = _e126;
+    let _e127 = key_at_u0028_u1_u003b((&param_41));
+    let _e130 = frame.key_max;
+    param_42 = (1f - (f32(_e127) / f32(_e130)));
+    let _e135 = splat_1.color;
+    param_43 = _e135;
+    let _e136 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_42), (&param_43));
+    word_3 = _e136;
+    let _e137 = (*thread_1);
+    let _e139 = ellipse.center;
+    let _e140 = along;
+    batch_place[_e137] = vec4<f32>(_e139.x, _e139.y, _e140.x, _e140.y);
+    let _e147 = (*thread_1);
+    let _e148 = across;
+    let _e149 = exponent_1;
+    let _e150 = word_3;
+    batch_shape[_e147] = vec4<f32>(_e148.x, _e148.y, _e149, bitcast<f32>(_e150));
     return;
+}
+
+fn splat_of_u0028_u1_u003b(pair: ptr<function, u32>) -> u32 {
+    var local_7: u32;
+
+    let _e6 = (*pair);
+    if (_e6 != 4294967295u) {
+        let _e9 = settings.pairs_start;
+        let _e10 = (*pair);
+        let _e14 = unnamed_2.bins[(_e9 + _e10)];
+        local_7 = _e14;
+    } else {
+        local_7 = 0u;
+    }
+    let _e15 = local_7;
+    return _e15;
+}
+
+fn pair_at_u0028_u1_u003b_u1_u003b(place_3: ptr<function, u32>, end: ptr<function, u32>) -> u32 {
+    var local_8: u32;
+
+    let _e5 = (*place_3);
+    let _e6 = (*end);
+    if (_e5 < _e6) {
+        let _e8 = (*place_3);
+        let _e11 = unnamed_1.sorted[_e8];
+        local_8 = _e11;
+    } else {
+        local_8 = 4294967295u;
+    }
+    let _e12 = local_8;
+    return _e12;
 }
 
 fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
@@ -790,176 +878,199 @@ fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
     return (((vec2<u32>(_e10) + vec2(_e12)) - vec2(1u)) / vec2(_e17));
 }
 
-fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_1: ptr<function, vec2<u32>>, first_4: ptr<function, vec2<f32>>) {
+fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_3: ptr<function, Samples>, corner_1: ptr<function, vec2<u32>>, first_4: ptr<function, vec2<f32>>) {
     var thread_2: u32;
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_50: u32;
-    var end: u32;
-    var from_1: u32;
-    var k_4: u32;
+    var param_44: u32;
+    var from_2: u32;
+    var end_1: u32;
     var i_2: u32;
-    var local_5: u32;
+    var param_45: u32;
+    var param_46: u32;
+    var param_47: u32;
+    var next: u32;
+    var param_48: u32;
+    var param_49: u32;
+    var param_50: u32;
+    var pair_1: u32;
     var param_51: u32;
     var param_52: u32;
-    var param_53: vec2<f32>;
-    var word_5: u32;
-    var hits_1: u32;
-    var param_54: u32;
-    var param_55: u32;
     var k_5: u32;
-    var param_56: Samples;
+    var param_53: u32;
+    var param_54: u32;
+    var param_55: vec4<u32>;
+    var param_56: vec2<f32>;
+    var own: u32;
     var param_57: u32;
-    var param_58: vec2<f32>;
+    var param_58: u32;
+    var param_59: u32;
+    var word_4: u32;
+    var param_60: u32;
+    var param_61: u32;
+    var param_62: Samples;
+    var param_63: u32;
+    var param_64: u32;
+    var param_65: vec2<f32>;
 
-    let _e43 = gl_LocalInvocationIndex_1;
-    thread_2 = _e43;
-    let _e46 = unnamed_1.bins[8i];
-    shift_1 = _e46;
-    let _e47 = (*corner_1);
-    let _e49 = frame.bin_side;
-    let _e50 = shift_1;
-    at_2 = (_e47 / vec2((_e49 << bitcast<u32>(_e50))));
-    let _e56 = at_2[1u];
-    let _e57 = shift_1;
-    param_50 = _e57;
-    let _e58 = bins_of_u0028_u1_u003b((&param_50));
-    let _e62 = at_2[0u];
-    bin = ((_e56 * _e58.x) + _e62);
-    let _e65 = settings.starts_start;
-    let _e66 = bin;
-    let _e71 = unnamed_1.bins[((_e65 + _e66) + 1u)];
-    end = _e71;
-    let _e73 = settings.starts_start;
-    let _e74 = bin;
-    let _e78 = unnamed_1.bins[(_e73 + _e74)];
-    from_1 = _e78;
+    let _e57 = gl_LocalInvocationIndex_1;
+    thread_2 = _e57;
+    let _e60 = unnamed_2.bins[8i];
+    shift_1 = _e60;
+    let _e61 = (*corner_1);
+    let _e63 = frame.bin_side;
+    let _e64 = shift_1;
+    at_2 = (_e61 / vec2((_e63 << bitcast<u32>(_e64))));
+    let _e70 = at_2[1u];
+    let _e71 = shift_1;
+    param_44 = _e71;
+    let _e72 = bins_of_u0028_u1_u003b((&param_44));
+    let _e76 = at_2[0u];
+    bin = ((_e70 * _e72.x) + _e76);
+    let _e79 = settings.starts_start;
+    let _e80 = bin;
+    let _e84 = unnamed_2.bins[(_e79 + _e80)];
+    from_2 = _e84;
+    let _e86 = settings.starts_start;
+    let _e87 = bin;
+    let _e92 = unnamed_2.bins[((_e86 + _e87) + 1u)];
+    end_1 = _e92;
+    let _e93 = from_2;
+    let _e94 = thread_2;
+    param_45 = (_e93 + _e94);
+    let _e96 = end_1;
+    param_46 = _e96;
+    let _e97 = pair_at_u0028_u1_u003b_u1_u003b((&param_45), (&param_46));
+    param_47 = _e97;
+    let _e98 = splat_of_u0028_u1_u003b((&param_47));
+    i_2 = _e98;
+    let _e99 = from_2;
+    let _e101 = thread_2;
+    param_48 = ((_e99 + 64u) + _e101);
+    let _e103 = end_1;
+    param_49 = _e103;
+    let _e104 = pair_at_u0028_u1_u003b_u1_u003b((&param_48), (&param_49));
+    param_50 = _e104;
+    let _e105 = splat_of_u0028_u1_u003b((&param_50));
+    next = _e105;
+    let _e106 = from_2;
+    let _e108 = thread_2;
+    param_51 = ((_e106 + 128u) + _e108);
+    let _e110 = end_1;
+    param_52 = _e110;
+    let _e111 = pair_at_u0028_u1_u003b_u1_u003b((&param_51), (&param_52));
+    pair_1 = _e111;
     loop {
-        let _e79 = from_1;
-        let _e80 = end;
-        if (_e79 < _e80) {
-            let _e82 = thread_2;
-            batch_seen[_e82] = 0u;
-            let _e84 = thread_2;
-            k_4 = _e84;
+        let _e112 = from_2;
+        let _e113 = end_1;
+        if (_e112 < _e113) {
+            let _e115 = thread_2;
+            batch_seen[_e115] = 0u;
+            let _e117 = thread_2;
+            k_5 = _e117;
             loop {
-                let _e85 = k_4;
-                if (_e85 < 128u) {
-                    let _e87 = k_4;
-                    atomicStore((&batch_hits[_e87]), 0u);
+                let _e118 = k_5;
+                if (_e118 < 128u) {
+                    let _e120 = k_5;
+                    atomicStore((&batch_hits[_e120]), 0u);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e89 = k_4;
-                    k_4 = (_e89 + 64u);
+                    let _e122 = k_5;
+                    k_5 = (_e122 + 64u);
                 }
             }
-            let _e91 = thread_2;
-            if (_e91 == 0u) {
+            let _e124 = thread_2;
+            if (_e124 == 0u) {
                 batch_open = 0u;
             }
             workgroupBarrier();
-            let _e94 = (*samples_2).open;
-            if _e94 {
+            let _e127 = (*samples_3).open;
+            if _e127 {
                 batch_open = 1u;
             }
-            let _e95 = from_1;
-            let _e96 = thread_2;
-            let _e98 = end;
-            if ((_e95 + _e96) < _e98) {
-                let _e101 = settings.pairs_start;
-                let _e102 = from_1;
-                let _e103 = thread_2;
-                let _e107 = unnamed_2.sorted[(_e102 + _e103)];
-                let _e111 = unnamed_1.bins[(_e101 + _e107)];
-                local_5 = _e111;
-            } else {
-                local_5 = 0u;
+            let _e128 = from_2;
+            let _e129 = thread_2;
+            let _e131 = end_1;
+            if ((_e128 + _e129) < _e131) {
+                let _e133 = i_2;
+                let _e134 = (*corner_1);
+                let _e136 = thread_2;
+                param_53 = _e136;
+                let _e137 = i_2;
+                param_54 = _e137;
+                let _e140 = unnamed.splats[_e133];
+                param_55 = _e140;
+                param_56 = vec2<f32>(_e134);
+                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_53), (&param_54), (&param_55), (&param_56));
             }
-            let _e112 = local_5;
-            i_2 = _e112;
-            let _e113 = from_1;
-            let _e114 = thread_2;
-            let _e116 = end;
-            if ((_e113 + _e114) < _e116) {
-                let _e118 = (*corner_1);
-                let _e120 = thread_2;
-                param_51 = _e120;
-                let _e121 = i_2;
-                param_52 = _e121;
-                param_53 = vec2<f32>(_e118);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_51), (&param_52), (&param_53));
-            }
+            let _e141 = i_2;
+            own = _e141;
+            let _e142 = next;
+            i_2 = _e142;
+            let _e143 = pair_1;
+            param_57 = _e143;
+            let _e144 = splat_of_u0028_u1_u003b((&param_57));
+            next = _e144;
+            let _e145 = from_2;
+            let _e147 = thread_2;
+            param_58 = ((_e145 + 192u) + _e147);
+            let _e149 = end_1;
+            param_59 = _e149;
+            let _e150 = pair_at_u0028_u1_u003b_u1_u003b((&param_58), (&param_59));
+            pair_1 = _e150;
             workgroupBarrier();
-            let _e122 = workgroupUniformLoad((&batch_open));
-            if (_e122 == 0u) {
+            let _e151 = workgroupUniformLoad((&batch_open));
+            if (_e151 == 0u) {
                 break;
             }
-            word_5 = 0u;
+            word_4 = 0u;
             loop {
-                let _e124 = word_5;
-                let _e127 = (*samples_2).open;
-                if ((_e124 < 2u) && _e127) {
-                    let _e129 = thread_2;
-                    param_54 = _e129;
-                    let _e130 = word_5;
-                    param_55 = _e130;
-                    let _e131 = hits_of_u0028_u1_u003b_u1_u003b((&param_54), (&param_55));
-                    hits_1 = _e131;
-                    loop {
-                        let _e132 = hits_1;
-                        let _e135 = (*samples_2).open;
-                        if ((_e132 != 0u) && _e135) {
-                            let _e137 = hits_1;
-                            k_5 = bitcast<u32>(firstTrailingBit(_e137));
-                            let _e140 = hits_1;
-                            let _e142 = hits_1;
-                            hits_1 = (_e142 & (_e140 - 1u));
-                            let _e144 = word_5;
-                            let _e146 = k_5;
-                            batch_seen[((32u * _e144) + _e146)] = 1u;
-                            let _e149 = word_5;
-                            let _e151 = k_5;
-                            let _e153 = (*samples_2);
-                            param_56 = _e153;
-                            param_57 = ((32u * _e149) + _e151);
-                            let _e154 = (*first_4);
-                            param_58 = _e154;
-                            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_56), (&param_57), (&param_58));
-                            let _e155 = param_56;
-                            (*samples_2) = _e155;
-                            continue;
-                        } else {
-                            break;
-                        }
-                    }
+                let _e153 = word_4;
+                let _e156 = (*samples_3).open;
+                if ((_e153 < 2u) && _e156) {
+                    let _e158 = thread_2;
+                    param_60 = _e158;
+                    let _e159 = word_4;
+                    param_61 = _e159;
+                    let _e160 = hits_of_u0028_u1_u003b_u1_u003b((&param_60), (&param_61));
+                    let _e161 = word_4;
+                    let _e163 = (*samples_3);
+                    param_62 = _e163;
+                    param_63 = _e160;
+                    param_64 = (32u * _e161);
+                    let _e164 = (*first_4);
+                    param_65 = _e164;
+                    blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_62), (&param_63), (&param_64), (&param_65));
+                    let _e165 = param_62;
+                    (*samples_3) = _e165;
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e156 = word_5;
-                    word_5 = (_e156 + bitcast<u32>(1i));
+                    let _e166 = word_4;
+                    word_4 = (_e166 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            let _e159 = thread_2;
-            let _e161 = batch_seen[_e159];
-            if (_e161 != 0u) {
-                let _e163 = i_2;
-                let _e168 = i_2;
-                let _e172 = atomicOr((&unnamed_3.marks[(_e163 >> bitcast<u32>(5u))]), (1u << bitcast<u32>((_e168 & 31u))));
+            let _e169 = thread_2;
+            let _e171 = batch_seen[_e169];
+            if (_e171 != 0u) {
+                let _e173 = own;
+                let _e178 = own;
+                let _e182 = atomicOr((&unnamed_3.marks[(_e173 >> bitcast<u32>(5u))]), (1u << bitcast<u32>((_e178 & 31u))));
             }
             continue;
         } else {
             break;
         }
         continuing {
-            let _e173 = from_1;
-            from_1 = (_e173 + 64u);
+            let _e183 = from_2;
+            from_2 = (_e183 + 64u);
         }
     }
     return;
@@ -982,7 +1093,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_9: u32;
     var param_10: vec2<u32>;
     var param_11: u32;
-    var phi_1283_: bool;
+    var phi_1373_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1029,12 +1140,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_u1_u003b((&param_10), (&param_11));
     let _e83 = settings.counted;
     let _e84 = (_e83 != 0u);
-    phi_1283_ = _e84;
+    phi_1373_ = _e84;
     if _e84 {
         let _e86 = samples.evaluated;
-        phi_1283_ = (_e86 > 0u);
+        phi_1373_ = (_e86 > 0u);
     }
-    let _e89 = phi_1283_;
+    let _e89 = phi_1373_;
     if _e89 {
         let _e93 = samples.evaluated;
         let _e94 = atomicAdd((&unnamed_4.control.fragments), _e93);

@@ -17,104 +17,149 @@ struct type_4 {
     member_15: f32,
 }
 
-struct type_6 {
+struct type_7 {
     member: array<u32>,
 }
 
-struct type_11 {
+struct type_13 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_13 {
+struct type_15 {
     member: array<u32, LENGTH_2_4>,
 }
 
 @group(0) @binding(7) 
 var<uniform> global: type_4;
 @group(0) @binding(1) 
-var<storage> global_1: type_11;
+var<storage> global_1: type_13;
 var<workgroup> global_2: array<atomic<u32>, 256>;
 @group(0) @binding(2) 
-var<storage, read_write> global_3: type_13;
+var<storage, read_write> global_3: type_15;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_341_: u32;
-    var phi_342_: u32;
-    var phi_343_: u32;
-    var phi_344_: u32;
+    var local: array<u32, 8>;
+    var phi_396_: u32;
+    var phi_397_: u32;
+    var phi_398_: u32;
+    var phi_400_: u32;
+    var phi_406_: u32;
+    var phi_401_: u32;
+    var phi_300_: bool;
+    var phi_399_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e21 = global.member_4;
-            let _e24 = bitcast<u32>(param[0u]);
-            let _e26 = bitcast<u32>(param_1[0u]);
-            let _e28 = global.member_7;
-            let _e30 = global.member_5;
-            let _e31 = min(_e28, _e30);
-            if (_e26 >= max(((_e31 + 4095u) / 4096u), 1u)) {
+            let _e25 = global.member_4;
+            let _e28 = bitcast<u32>(param[0u]);
+            let _e30 = bitcast<u32>(param_1[0u]);
+            let _e32 = global.member_7;
+            let _e34 = global.member_5;
+            let _e35 = min(_e32, _e34);
+            if (_e30 >= max(((_e35 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_341_ = _e24;
+            phi_396_ = _e28;
             loop {
-                let _e37 = phi_341_;
-                if (_e37 < 256u) {
+                let _e41 = phi_396_;
+                if (_e41 < 256u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    atomicStore((&global_2[_e37]), 0u);
-                    phi_341_ = (_e37 + 128u);
+                    atomicStore((&global_2[_e41]), 0u);
+                    phi_396_ = (_e41 + 128u);
                 }
             }
-            if (true && (_e26 == 0u)) {
-                phi_342_ = _e24;
+            if (true && (_e30 == 0u)) {
+                phi_397_ = _e28;
                 loop {
-                    let _e44 = phi_342_;
-                    if (_e44 < 784u) {
+                    let _e48 = phi_397_;
+                    if (_e48 < 784u) {
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        global_3.member[((_e21 * 256u) + _e44)] = 0u;
-                        phi_342_ = (_e44 + 128u);
+                        global_3.member[((_e25 * 256u) + _e48)] = 0u;
+                        phi_397_ = (_e48 + 128u);
                     }
                 }
             }
             workgroupBarrier();
-            phi_343_ = ((_e26 * 4096u) + _e24);
+            let _e56 = min(_e35, ((_e30 + 1u) * 4096u));
+            phi_398_ = ((_e30 * 4096u) + _e28);
             loop {
-                let _e53 = phi_343_;
-                if (_e53 < min(_e31, ((_e26 + 1u) * 4096u))) {
-                    let _e62 = global_1.member[(_e53 >> bitcast<u32>(1u))];
-                    let _e67 = ((_e62 >> bitcast<u32>((16u * (_e53 & 1u)))) & 65535u);
-                    let _e69 = select(_e67, 4294967295u, (_e67 == 65535u));
-                    if (false || (_e69 != 4294967295u)) {
-                        let _e74 = atomicAdd((&global_2[(_e69 & 255u)]), 1u);
+                let _e60 = phi_398_;
+                if (_e60 < _e56) {
+                    phi_400_ = 0u;
+                    loop {
+                        let _e63 = phi_400_;
+                        if (_e63 < 8u) {
+                            let _e66 = (_e60 + (_e63 * 128u));
+                            if (_e66 < _e56) {
+                                let _e72 = global_1.member[(_e66 >> bitcast<u32>(1u))];
+                                let _e77 = ((_e72 >> bitcast<u32>((16u * (_e66 & 1u)))) & 65535u);
+                                phi_406_ = select(_e77, 4294967295u, (_e77 == 65535u));
+                            } else {
+                                phi_406_ = 0u;
+                            }
+                            let _e81 = phi_406_;
+                            local[_e63] = _e81;
+                            continue;
+                        } else {
+                            break;
+                        }
+                        continuing {
+                            phi_400_ = (_e63 + bitcast<u32>(1i));
+                        }
+                    }
+                    phi_401_ = 0u;
+                    loop {
+                        let _e86 = phi_401_;
+                        if (_e86 < 8u) {
+                            let _e90 = ((_e60 + (_e86 * 128u)) < _e56);
+                            phi_300_ = _e90;
+                            if _e90 {
+                                let _e92 = local[_e86];
+                                phi_300_ = (false || (_e92 != 4294967295u));
+                            }
+                            let _e96 = phi_300_;
+                            if _e96 {
+                                let _e98 = local[_e86];
+                                let _e101 = atomicAdd((&global_2[(_e98 & 255u)]), 1u);
+                            }
+                            continue;
+                        } else {
+                            break;
+                        }
+                        continuing {
+                            phi_401_ = (_e86 + bitcast<u32>(1i));
+                        }
                     }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_343_ = (_e53 + 128u);
+                    phi_398_ = (_e60 + 1024u);
                 }
             }
             workgroupBarrier();
-            phi_344_ = _e24;
+            phi_399_ = _e28;
             loop {
-                let _e77 = phi_344_;
-                if (_e77 < 256u) {
+                let _e106 = phi_399_;
+                if (_e106 < 256u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e82 = atomicLoad((&global_2[_e77]));
-                    global_3.member[((_e26 * 256u) + _e77)] = _e82;
-                    phi_344_ = (_e77 + 128u);
+                    let _e111 = atomicLoad((&global_2[_e106]));
+                    global_3.member[((_e30 * 256u) + _e106)] = _e111;
+                    phi_399_ = (_e106 + 128u);
                 }
             }
             break;

@@ -65,7 +65,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
     switch bitcast<i32>(0u) {
         default: {
             let _e22 = global.member_4;
-            let _e28 = (((_e22 * 256u) + 784u) + (((_e22 + 63u) / 64u) * 256u));
+            let _e28 = (((_e22 * 256u) + 784u) + (((_e22 + 31u) / 32u) * 256u));
             let _e30 = bitcast<u32>(param_1[0u]);
             let _e32 = bitcast<u32>(param[0u]);
             let _e35 = global_1.member.member_6;

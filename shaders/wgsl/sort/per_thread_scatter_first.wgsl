@@ -36,15 +36,15 @@ struct type_9 {
     member: array<u32>,
 }
 
-struct type_13 {
+struct type_15 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_15 {
+struct type_17 {
     member: array<u32, LENGTH_4_4>,
 }
 
-struct type_17 {
+struct type_19 {
     member: array<u32, LENGTH_2_4>,
 }
 
@@ -53,213 +53,322 @@ var<uniform> global: type_4;
 @group(0) @binding(3) 
 var<storage, read_write> global_1: type_7;
 @group(0) @binding(1) 
-var<storage> global_2: type_13;
+var<storage> global_2: type_15;
 @group(0) @binding(4) 
-var<storage, read_write> global_3: type_15;
+var<storage, read_write> global_3: type_17;
 @group(0) @binding(2) 
-var<storage, read_write> global_4: type_17;
+var<storage, read_write> global_4: type_19;
 var<workgroup> global_5: array<u32, 8>;
+var<workgroup> global_6: array<u32, 1>;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_1304_: u32;
-    var phi_1305_: u32;
-    var phi_1308_: u32;
-    var phi_1307_: u32;
-    var phi_1322_: u32;
-    var phi_1319_: u32;
-    var phi_1327_: u32;
-    var phi_1320_: u32;
-    var local: u32;
+    var local: array<u32, 4>;
+    var phi_1482_: u32;
+    var phi_1483_: u32;
+    var phi_1486_: u32;
+    var phi_1485_: u32;
+    var phi_1505_: u32;
+    var phi_1502_: u32;
+    var phi_1501_: u32;
+    var phi_1506_: u32;
+    var phi_1522_: u32;
+    var phi_1519_: u32;
+    var phi_1512_: u32;
+    var phi_1507_: u32;
+    var phi_1510_: u32;
+    var phi_1516_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1312_: u32;
-    var phi_1309_: u32;
-    var phi_1310_: u32;
     var local_4: u32;
+    var phi_1488_: u32;
+    var phi_1487_: u32;
     var local_5: u32;
+    var phi_1494_: u32;
+    var phi_1489_: u32;
     var local_6: u32;
-    var phi_1306_: u32;
-    var phi_1313_: u32;
-    var phi_1318_: u32;
-    var phi_1316_: u32;
-    var phi_1314_: u32;
+    var phi_1493_: u32;
+    var phi_1490_: u32;
+    var phi_1491_: u32;
     var local_7: u32;
     var local_8: u32;
+    var local_9: u32;
+    var phi_1484_: u32;
+    var phi_1495_: u32;
+    var phi_1500_: u32;
+    var phi_1498_: u32;
+    var phi_1496_: u32;
+    var local_10: u32;
+    var local_11: u32;
+    var local_12: u32;
+    var local_13: u32;
+    var local_14: u32;
+    var local_15: u32;
+    var local_16: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e34 = global.member_4;
-            let _e40 = (((_e34 * 256u) + 784u) + (((_e34 + 63u) / 64u) * 256u));
-            let _e42 = bitcast<u32>(param_1[0u]);
-            let _e44 = bitcast<u32>(param[0u]);
-            let _e46 = global.member_7;
-            let _e48 = global.member_5;
-            let _e49 = min(_e46, _e48);
-            let _e52 = max(((_e49 + 4095u) / 4096u), 1u);
-            if (_e44 >= _e52) {
+            let _e36 = global.member_4;
+            let _e42 = (((_e36 * 256u) + 784u) + (((_e36 + 31u) / 32u) * 256u));
+            let _e44 = bitcast<u32>(param_1[0u]);
+            let _e46 = bitcast<u32>(param[0u]);
+            let _e48 = global.member_7;
+            let _e50 = global.member_5;
+            let _e51 = min(_e48, _e50);
+            let _e54 = max(((_e51 + 4095u) / 4096u), 1u);
+            if (_e46 >= _e54) {
                 break;
             }
-            let _e55 = min(32u, (_e49 | 32u));
-            phi_1304_ = 0u;
+            let _e57 = min(32u, (_e51 | 32u));
+            phi_1482_ = 0u;
             loop {
-                let _e59 = phi_1304_;
-                if (_e59 < 256u) {
+                let _e61 = phi_1482_;
+                if (_e61 < 256u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    global_4.member[(((_e40 + (_e44 * 2304u)) + (_e59 * 8u)) + _e42)] = 0u;
-                    phi_1304_ = (_e59 + bitcast<u32>(1i));
+                    global_4.member[(((_e42 + (_e46 * 2304u)) + (_e61 * 8u)) + _e44)] = 0u;
+                    phi_1482_ = (_e61 + bitcast<u32>(1i));
                 }
             }
-            let _e72 = ((_e44 * 4096u) + (_e42 * 512u));
-            phi_1305_ = _e72;
+            let _e74 = ((_e46 * 4096u) + (_e44 * 512u));
+            phi_1483_ = _e74;
             loop {
-                let _e74 = phi_1305_;
-                let _e76 = min(_e49, (_e72 + 512u));
-                local_7 = _e76;
-                if (_e74 < _e76) {
-                    let _e82 = global_2.member[(_e74 >> bitcast<u32>(1u))];
-                    let _e87 = ((_e82 >> bitcast<u32>((16u * (_e74 & 1u)))) & 65535u);
-                    let _e89 = select(_e87, 4294967295u, (_e87 == 65535u));
-                    if (false || (_e89 != 4294967295u)) {
-                        let _e100 = global_4.member[(((_e40 + (_e44 * 2304u)) + ((_e89 & 255u) * 8u)) + _e42)];
-                        global_4.member[(((_e40 + (_e44 * 2304u)) + ((_e89 & 255u) * 8u)) + _e42)] = (_e100 + 1u);
+                let _e76 = phi_1483_;
+                let _e78 = min(_e51, (_e74 + 512u));
+                local_10 = _e78;
+                if (_e76 < _e78) {
+                    let _e84 = global_2.member[(_e76 >> bitcast<u32>(1u))];
+                    let _e89 = ((_e84 >> bitcast<u32>((16u * (_e76 & 1u)))) & 65535u);
+                    let _e91 = select(_e89, 4294967295u, (_e89 == 65535u));
+                    if (false || (_e91 != 4294967295u)) {
+                        let _e102 = global_4.member[(((_e42 + (_e46 * 2304u)) + ((_e91 & 255u) * 8u)) + _e44)];
+                        global_4.member[(((_e42 + (_e46 * 2304u)) + ((_e91 & 255u) * 8u)) + _e44)] = (_e102 + 1u);
                     }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_1305_ = (_e74 + bitcast<u32>(1i));
+                    phi_1483_ = (_e76 + bitcast<u32>(1i));
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
-                    let _e106 = global.member_6;
-                    if !((_e106 != 0u)) {
-                        phi_1308_ = 0u;
-                        phi_1307_ = 0u;
+                    let _e108 = global.member_6;
+                    if !((_e108 != 0u)) {
+                        phi_1486_ = 0u;
+                        phi_1485_ = 0u;
                         loop {
-                            let _e110 = phi_1308_;
-                            let _e112 = phi_1307_;
-                            local_3 = _e110;
-                            local_6 = _e110;
-                            if (_e112 < _e55) {
-                                let _e114 = (_e42 * 32u);
-                                let _e115 = (_e114 + _e112);
-                                phi_1322_ = 0u;
-                                phi_1319_ = 0u;
+                            let _e112 = phi_1486_;
+                            let _e114 = phi_1485_;
+                            local_4 = _e112;
+                            local_9 = _e112;
+                            if (_e114 < _e57) {
+                                let _e116 = (_e44 * 32u);
+                                phi_1505_ = 0u;
+                                phi_1502_ = 0u;
+                                phi_1501_ = 0u;
                                 loop {
-                                    let _e117 = phi_1322_;
-                                    let _e119 = phi_1319_;
-                                    local = _e117;
-                                    local_1 = _e117;
-                                    if (_e119 < _e44) {
+                                    let _e119 = phi_1505_;
+                                    let _e121 = phi_1502_;
+                                    let _e123 = phi_1501_;
+                                    local_1 = _e121;
+                                    local_2 = _e121;
+                                    local_3 = _e119;
+                                    if (_e123 < _e54) {
+                                        phi_1506_ = 0u;
+                                        loop {
+                                            let _e126 = phi_1506_;
+                                            if (_e126 < 4u) {
+                                                let _e128 = (_e123 + _e126);
+                                                if (_e128 < _e54) {
+                                                    let _e134 = global_4.member[((_e128 * 256u) + (_e116 + _e114))];
+                                                    phi_1522_ = _e134;
+                                                } else {
+                                                    phi_1522_ = 0u;
+                                                }
+                                                let _e136 = phi_1522_;
+                                                local[_e126] = _e136;
+                                                continue;
+                                            } else {
+                                                break;
+                                            }
+                                            continuing {
+                                                phi_1506_ = (_e126 + bitcast<u32>(1i));
+                                            }
+                                        }
+                                        phi_1519_ = _e119;
+                                        phi_1512_ = _e121;
+                                        phi_1507_ = 0u;
+                                        loop {
+                                            let _e141 = phi_1519_;
+                                            let _e143 = phi_1512_;
+                                            let _e145 = phi_1507_;
+                                            local_12 = _e141;
+                                            local_13 = _e143;
+                                            if (_e145 < 4u) {
+                                                let _e148 = ((_e123 + _e145) < _e46);
+                                                if _e148 {
+                                                    let _e150 = local[_e145];
+                                                    phi_1510_ = _e150;
+                                                } else {
+                                                    phi_1510_ = 0u;
+                                                }
+                                                let _e152 = phi_1510_;
+                                                local_15 = (_e143 + _e152);
+                                                if _e148 {
+                                                    phi_1516_ = 0u;
+                                                } else {
+                                                    let _e155 = local[_e145];
+                                                    phi_1516_ = _e155;
+                                                }
+                                                let _e157 = phi_1516_;
+                                                local_14 = (_e141 + _e157);
+                                                continue;
+                                            } else {
+                                                break;
+                                            }
+                                            continuing {
+                                                let _e362 = local_14;
+                                                phi_1519_ = _e362;
+                                                let _e365 = local_15;
+                                                phi_1512_ = _e365;
+                                                phi_1507_ = (_e145 + bitcast<u32>(1i));
+                                            }
+                                        }
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e125 = global_4.member[((_e119 * 256u) + _e115)];
-                                        phi_1322_ = (_e117 + _e125);
-                                        phi_1319_ = (_e119 + bitcast<u32>(1i));
+                                        let _e353 = local_12;
+                                        phi_1505_ = _e353;
+                                        let _e356 = local_13;
+                                        phi_1502_ = _e356;
+                                        phi_1501_ = (_e123 + 4u);
                                     }
                                 }
-                                phi_1327_ = 0u;
-                                phi_1320_ = _e44;
-                                loop {
-                                    let _e130 = phi_1327_;
-                                    let _e132 = phi_1320_;
-                                    local_2 = _e130;
-                                    if (_e132 < _e52) {
-                                        continue;
-                                    } else {
-                                        break;
-                                    }
-                                    continuing {
-                                        let _e138 = global_4.member[((_e132 * 256u) + _e115)];
-                                        phi_1327_ = (_e130 + _e138);
-                                        phi_1320_ = (_e132 + bitcast<u32>(1i));
-                                    }
+                                let _e163 = local_1;
+                                global_4.member[((((_e42 + (_e46 * 2304u)) + 2048u) + _e116) + _e114)] = (_e163 + _e112);
+                                let _e173 = local_2;
+                                let _e175 = local_3;
+                                local_11 = (_e112 + (_e173 + _e175));
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                let _e349 = local_11;
+                                phi_1486_ = _e349;
+                                phi_1485_ = (_e114 + bitcast<u32>(1i));
+                            }
+                        }
+                        let _e182 = local_4;
+                        global_5[_e44] = _e182;
+                        workgroupBarrier();
+                        if (_e44 < 1u) {
+                            phi_1488_ = 0u;
+                            phi_1487_ = 0u;
+                            loop {
+                                let _e185 = phi_1488_;
+                                let _e187 = phi_1487_;
+                                local_5 = _e185;
+                                if (_e187 < 8u) {
+                                    continue;
+                                } else {
+                                    break;
                                 }
-                                let _e143 = local;
-                                global_4.member[((((_e40 + (_e44 * 2304u)) + 2048u) + _e114) + _e112)] = (_e143 + _e110);
-                                let _e153 = local_1;
-                                let _e155 = local_2;
-                                local_8 = (_e110 + (_e153 + _e155));
-                                continue;
-                            } else {
-                                break;
+                                continuing {
+                                    let _e192 = global_5[((_e44 * 8u) + _e187)];
+                                    phi_1488_ = (_e185 + _e192);
+                                    phi_1487_ = (_e187 + bitcast<u32>(1i));
+                                }
                             }
-                            continuing {
-                                let _e299 = local_8;
-                                phi_1308_ = _e299;
-                                phi_1307_ = (_e112 + bitcast<u32>(1i));
-                            }
-                        }
-                        let _e162 = local_3;
-                        global_5[_e42] = _e162;
-                        workgroupBarrier();
-                        phi_1312_ = 0u;
-                        phi_1309_ = 0u;
-                        loop {
-                            let _e164 = phi_1312_;
-                            let _e166 = phi_1309_;
-                            local_4 = _e164;
-                            local_5 = _e164;
-                            if (_e166 < _e42) {
-                                continue;
-                            } else {
-                                break;
-                            }
-                            continuing {
-                                let _e169 = global_5[_e166];
-                                phi_1312_ = (_e164 + _e169);
-                                phi_1309_ = (_e166 + bitcast<u32>(1i));
-                            }
-                        }
-                        phi_1310_ = 0u;
-                        loop {
-                            let _e174 = phi_1310_;
-                            if (_e174 < _e55) {
-                                continue;
-                            } else {
-                                break;
-                            }
-                            continuing {
-                                let _e184 = global_4.member[((((_e40 + (_e44 * 2304u)) + 2048u) + (_e42 * 32u)) + _e174)];
-                                let _e186 = local_4;
-                                global_4.member[((((_e40 + (_e44 * 2304u)) + 2048u) + (_e42 * 32u)) + _e174)] = (_e184 + _e186);
-                                phi_1310_ = (_e174 + bitcast<u32>(1i));
-                            }
+                            let _e198 = local_5;
+                            global_6[_e44] = _e198;
                         }
                         workgroupBarrier();
-                        let _e191 = local_5;
-                        let _e193 = local_6;
-                        let _e194 = (_e191 + _e193);
-                        if ((true && (_e44 == 0u)) && (_e42 == 7u)) {
-                            global_1.member.member_6 = _e194;
-                            global_1.member.member_1 = ((_e194 + 127u) / 128u);
+                        phi_1494_ = 0u;
+                        phi_1489_ = 0u;
+                        loop {
+                            let _e200 = phi_1494_;
+                            let _e202 = phi_1489_;
+                            let _e203 = (_e44 / 8u);
+                            local_6 = _e203;
+                            local_16 = _e200;
+                            if (_e202 < _e203) {
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                let _e206 = global_6[_e202];
+                                phi_1494_ = (_e200 + _e206);
+                                phi_1489_ = (_e202 + bitcast<u32>(1i));
+                            }
+                        }
+                        let _e211 = local_6;
+                        let _e381 = local_16;
+                        phi_1493_ = _e381;
+                        phi_1490_ = (_e211 * 8u);
+                        loop {
+                            let _e214 = phi_1493_;
+                            let _e216 = phi_1490_;
+                            local_7 = _e214;
+                            local_8 = _e214;
+                            if (_e216 < _e44) {
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                let _e219 = global_5[_e216];
+                                phi_1493_ = (_e214 + _e219);
+                                phi_1490_ = (_e216 + bitcast<u32>(1i));
+                            }
+                        }
+                        phi_1491_ = 0u;
+                        loop {
+                            let _e224 = phi_1491_;
+                            if (_e224 < _e57) {
+                                continue;
+                            } else {
+                                break;
+                            }
+                            continuing {
+                                let _e234 = global_4.member[((((_e42 + (_e46 * 2304u)) + 2048u) + (_e44 * 32u)) + _e224)];
+                                let _e236 = local_7;
+                                global_4.member[((((_e42 + (_e46 * 2304u)) + 2048u) + (_e44 * 32u)) + _e224)] = (_e234 + _e236);
+                                phi_1491_ = (_e224 + bitcast<u32>(1i));
+                            }
+                        }
+                        workgroupBarrier();
+                        let _e241 = local_8;
+                        let _e243 = local_9;
+                        let _e244 = (_e241 + _e243);
+                        if ((true && (_e46 == 0u)) && (_e44 == 7u)) {
+                            global_1.member.member_6 = _e244;
+                            global_1.member.member_1 = ((_e244 + 127u) / 128u);
                         }
                         break;
                     }
-                    phi_1306_ = 0u;
+                    phi_1484_ = 0u;
                     loop {
-                        let _e206 = phi_1306_;
-                        if (_e206 < _e55) {
+                        let _e256 = phi_1484_;
+                        if (_e256 < _e57) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e209 = (_e42 * 32u);
-                            let _e214 = global_4.member[(((_e44 * 256u) + _e209) + _e206)];
-                            global_4.member[((((_e40 + (_e44 * 2304u)) + 2048u) + _e209) + _e206)] = _e214;
-                            phi_1306_ = (_e206 + bitcast<u32>(1i));
+                            let _e259 = (_e44 * 32u);
+                            let _e264 = global_4.member[(((_e46 * 256u) + _e259) + _e256)];
+                            global_4.member[((((_e42 + (_e46 * 2304u)) + 2048u) + _e259) + _e256)] = _e264;
+                            phi_1484_ = (_e256 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
@@ -268,28 +377,28 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             }
             storageBarrier();
             workgroupBarrier();
-            phi_1313_ = 0u;
+            phi_1495_ = 0u;
             loop {
-                let _e225 = phi_1313_;
-                if (_e225 < _e55) {
-                    let _e228 = (_e40 + (_e44 * 2304u));
-                    let _e230 = (_e42 * 32u);
-                    let _e235 = global_4.member[(((_e228 + 2048u) + _e230) + _e225)];
-                    phi_1318_ = _e235;
-                    phi_1316_ = 0u;
+                let _e275 = phi_1495_;
+                if (_e275 < _e57) {
+                    let _e278 = (_e42 + (_e46 * 2304u));
+                    let _e280 = (_e44 * 32u);
+                    let _e285 = global_4.member[(((_e278 + 2048u) + _e280) + _e275)];
+                    phi_1500_ = _e285;
+                    phi_1498_ = 0u;
                     loop {
-                        let _e237 = phi_1318_;
-                        let _e239 = phi_1316_;
-                        if (_e239 < min(8u, (_e49 | 8u))) {
+                        let _e287 = phi_1500_;
+                        let _e289 = phi_1498_;
+                        if (_e289 < min(8u, (_e51 | 8u))) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e247 = global_4.member[((_e228 + ((_e230 + _e225) * 8u)) + _e239)];
-                            global_4.member[((_e228 + ((_e230 + _e225) * 8u)) + _e239)] = _e237;
-                            phi_1318_ = (_e237 + _e247);
-                            phi_1316_ = (_e239 + bitcast<u32>(1i));
+                            let _e297 = global_4.member[((_e278 + ((_e280 + _e275) * 8u)) + _e289)];
+                            global_4.member[((_e278 + ((_e280 + _e275) * 8u)) + _e289)] = _e287;
+                            phi_1500_ = (_e287 + _e297);
+                            phi_1498_ = (_e289 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -297,30 +406,30 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_1313_ = (_e225 + bitcast<u32>(1i));
+                    phi_1495_ = (_e275 + bitcast<u32>(1i));
                 }
             }
             storageBarrier();
             workgroupBarrier();
-            phi_1314_ = _e72;
+            phi_1496_ = _e74;
             loop {
-                let _e254 = phi_1314_;
-                let _e256 = local_7;
-                if (_e254 < _e256) {
-                    let _e262 = global_2.member[(_e254 >> bitcast<u32>(1u))];
-                    let _e267 = ((_e262 >> bitcast<u32>((16u * (_e254 & 1u)))) & 65535u);
-                    let _e269 = select(_e267, 4294967295u, (_e267 == 65535u));
-                    if (false || (_e269 != 4294967295u)) {
-                        let _e280 = global_4.member[(((_e40 + (_e44 * 2304u)) + ((_e269 & 255u) * 8u)) + _e42)];
-                        global_4.member[(((_e40 + (_e44 * 2304u)) + ((_e269 & 255u) * 8u)) + _e42)] = (_e280 + 1u);
-                        global_3.member[_e280] = (((((_e269 >> bitcast<u32>(8u)) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) << bitcast<u32>(24u)) | _e254);
+                let _e304 = phi_1496_;
+                let _e306 = local_10;
+                if (_e304 < _e306) {
+                    let _e312 = global_2.member[(_e304 >> bitcast<u32>(1u))];
+                    let _e317 = ((_e312 >> bitcast<u32>((16u * (_e304 & 1u)))) & 65535u);
+                    let _e319 = select(_e317, 4294967295u, (_e317 == 65535u));
+                    if (false || (_e319 != 4294967295u)) {
+                        let _e330 = global_4.member[(((_e42 + (_e46 * 2304u)) + ((_e319 & 255u) * 8u)) + _e44)];
+                        global_4.member[(((_e42 + (_e46 * 2304u)) + ((_e319 & 255u) * 8u)) + _e44)] = (_e330 + 1u);
+                        global_3.member[_e330] = (((((_e319 >> bitcast<u32>(8u)) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) << bitcast<u32>(24u)) | _e304);
                     }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_1314_ = (_e254 + bitcast<u32>(1i));
+                    phi_1496_ = (_e304 + bitcast<u32>(1i));
                 }
             }
             break;

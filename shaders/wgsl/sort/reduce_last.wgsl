@@ -32,11 +32,11 @@ struct type_6 {
     member: type_5,
 }
 
-struct type_9 {
+struct type_10 {
     member: array<u32>,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32, LENGTH_2_4>,
 }
 
@@ -45,48 +45,93 @@ var<uniform> global: type_3;
 @group(0) @binding(3) 
 var<storage> global_1: type_6;
 @group(0) @binding(2) 
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_12;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_179_: u32;
-    var phi_182_: u32;
-    var phi_180_: u32;
-    var local: u32;
+    var local: array<u32, 8>;
+    var phi_221_: u32;
+    var phi_224_: u32;
+    var phi_222_: u32;
+    var phi_225_: u32;
+    var phi_232_: u32;
+    var phi_229_: u32;
+    var phi_226_: u32;
+    var local_1: u32;
+    var local_2: u32;
 
-    let _e15 = global.member_4;
-    let _e19 = bitcast<u32>(param[0u]);
-    let _e22 = global_1.member.member_6;
-    let _e24 = global.member_5;
-    phi_179_ = bitcast<u32>(param_1[0u]);
+    let _e17 = global.member_4;
+    let _e21 = bitcast<u32>(param[0u]);
+    let _e24 = global_1.member.member_6;
+    let _e26 = global.member_5;
+    phi_221_ = bitcast<u32>(param_1[0u]);
     loop {
-        let _e32 = phi_179_;
-        if (_e32 < 256u) {
-            phi_182_ = 0u;
-            phi_180_ = (_e19 * 64u);
+        let _e34 = phi_221_;
+        if (_e34 < 256u) {
+            let _e38 = min(max(((min(_e24, _e26) + 4095u) / 4096u), 1u), ((_e21 + 1u) * 32u));
+            phi_224_ = 0u;
+            phi_222_ = (_e21 * 32u);
             loop {
-                let _e36 = phi_182_;
-                let _e38 = phi_180_;
-                local = _e36;
-                if (_e38 < min(max(((min(_e22, _e24) + 4095u) / 4096u), 1u), ((_e19 + 1u) * 64u))) {
+                let _e41 = phi_224_;
+                let _e43 = phi_222_;
+                local_1 = _e41;
+                if (_e43 < _e38) {
+                    phi_225_ = 0u;
+                    loop {
+                        let _e46 = phi_225_;
+                        if (_e46 < 8u) {
+                            let _e48 = (_e43 + _e46);
+                            if (_e48 < _e38) {
+                                let _e54 = global_2.member[((_e48 * 256u) + _e34)];
+                                phi_232_ = _e54;
+                            } else {
+                                phi_232_ = 0u;
+                            }
+                            let _e56 = phi_232_;
+                            local[_e46] = _e56;
+                            continue;
+                        } else {
+                            break;
+                        }
+                        continuing {
+                            phi_225_ = (_e46 + bitcast<u32>(1i));
+                        }
+                    }
+                    phi_229_ = _e41;
+                    phi_226_ = 0u;
+                    loop {
+                        let _e61 = phi_229_;
+                        let _e63 = phi_226_;
+                        local_2 = _e61;
+                        if (_e63 < 8u) {
+                            continue;
+                        } else {
+                            break;
+                        }
+                        continuing {
+                            let _e66 = local[_e63];
+                            phi_229_ = (_e61 + _e66);
+                            phi_226_ = (_e63 + bitcast<u32>(1i));
+                        }
+                    }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e47 = global_2.member[((_e38 * 256u) + _e32)];
-                    phi_182_ = (_e36 + _e47);
-                    phi_180_ = (_e38 + bitcast<u32>(1i));
+                    let _e82 = local_2;
+                    phi_224_ = _e82;
+                    phi_222_ = (_e43 + 8u);
                 }
             }
-            let _e57 = local;
-            global_2.member[((((_e15 * 256u) + 784u) + (_e19 * 256u)) + _e32)] = _e57;
+            let _e77 = local_1;
+            global_2.member[((((_e17 * 256u) + 784u) + (_e21 * 256u)) + _e34)] = _e77;
             continue;
         } else {
             break;
         }
         continuing {
-            phi_179_ = (_e32 + 128u);
+            phi_221_ = (_e34 + 128u);
         }
     }
     return;

@@ -28,7 +28,7 @@ pub const SORT_RUNS: u32 = 8;
 pub const SORT_ONESWEEP_TILE: u32 = 2048;
 /// Tiles whose histograms one workgroup sums, if there are too many for every workgroup to sum them
 /// all.
-pub const SORT_GROUP: u32 = 64;
+pub const SORT_GROUP: u32 = 32;
 /// The most tiles whose histograms each scatter kernel of the sort sums itself. With more, two
 /// kernels before it do.
 pub const MAX_SUMMED_TILES: u32 = 128;
@@ -88,9 +88,11 @@ pub const BIN_SIDES: u32 = 10;
 pub const BIN_BLOCK: u32 = 256;
 /// Invocations of a workgroup that makes bins.
 pub const BIN_WORKGROUP: u32 = 128;
-/// Side of the region that a workgroup of the shared-memory tile rasterizer draws, px: 8 × 8
+/// Side of the region that a workgroup of the shared-memory tile rasterizer draws, px: 16 × 16
 /// invocations of 2 × 2 pixels.
-pub const SHARED_REGION: u32 = 16;
+pub const SHARED_REGION: u32 = 32;
+/// Invocations of a workgroup of the shared-memory tile rasterizer.
+pub const SHARED_WORKGROUP: u32 = 256;
 /// Side of the region that a workgroup of the saturation stage takes, px: 8 × 8 invocations of
 /// 2 × 2 samples, each of 2 × 2 pixels.
 pub const SATURATION_REGION: u32 = 32;

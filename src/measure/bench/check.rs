@@ -13,7 +13,7 @@ use effigy_core::{
     constants::ALPHA_MIN,
     frame::RendererOptions,
     reference,
-    scene::{FrameImage, Supersampling},
+    scene::{AvatarBounds, FrameImage, Supersampling},
 };
 use std::collections::HashMap;
 
@@ -100,8 +100,10 @@ pub fn check(
     let mut worst: Option<ErrorReport> = None;
     let mut covered = 0;
     let options = *renderer.options();
+    let bounds = AvatarBounds::new(reference_images.avatar);
     for (done, &index) in indices.iter().enumerate() {
         progress("comparing with the reference", done, indices.len());
+        let index = last_in_view(scenes, &bounds, index);
         // The frame before is drawn too: what a frame reuses from it is part of the comparison.
         renderer.draw(&scenes[(index + scenes.len() - 1) % scenes.len()])?;
         renderer.draw(&scenes[index])?;
@@ -119,6 +121,21 @@ pub fn check(
         error: worst,
         covered: (!indices.is_empty()).then(|| covered as f64 / indices.len() as f64),
     })
+}
+
+/// The frame, or the last before it that may show an avatar: to compare empty images says nothing.
+/// The frame itself where none does.
+fn last_in_view(scenes: &[BenchScene], bounds: &AvatarBounds, frame: usize) -> usize {
+    let count = scenes.len();
+    let is_shown = |&at: &usize| {
+        let BenchScene {
+            instances, camera, ..
+        } = &scenes[at];
+        let mut joints = instances.iter().map(|instance| &instance.reference.joints);
+        joints.any(|joints| !bounds.is_outside(joints, camera))
+    };
+    let before = (0..count).map(|back| (frame + count - back) % count);
+    before.into_iter().find(is_shown).unwrap_or(frame)
 }
 
 /// Pixels with an alpha of at least 1/255.

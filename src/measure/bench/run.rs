@@ -18,7 +18,7 @@ use effigy_core::{
     frame::{FrameReport, RendererOptions},
     scene::FrameImage,
 };
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Called with what is being done, how many steps of it are done, and how many there are.
 pub type Progress<'a> = &'a mut dyn FnMut(&str, usize, usize);
@@ -120,8 +120,13 @@ pub struct Samples {
     pub reports: Vec<FrameReport>,
 }
 
-/// Times the scenes after drawing `warm_up` frames. `tick` is called with the number of frames
-/// timed so far.
+/// For how long frames are drawn at least before some are timed: a GPU that had nothing to do, while
+/// an image was compared say, takes so long to raise its clocks. They were a fifth of what they are
+/// under load on an H200.
+const WARM_UP: Duration = Duration::from_millis(500);
+
+/// Times the scenes after drawing `warm_up` frames, or more until [`WARM_UP`] has passed. `tick` is
+/// called with the number of frames timed so far.
 ///
 /// # Errors
 /// When the device fails.
@@ -131,7 +136,11 @@ pub fn time(
     warm_up: usize,
     mut tick: impl FnMut(usize),
 ) -> Result<Samples> {
-    for scene in scenes.iter().cycle().take(warm_up) {
+    let begin = Instant::now();
+    for (frame, scene) in scenes.iter().cycle().enumerate() {
+        if frame >= warm_up && begin.elapsed() >= WARM_UP {
+            break;
+        }
         renderer.draw(scene)?;
     }
     renderer.finish()?;

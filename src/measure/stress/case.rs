@@ -260,8 +260,8 @@ impl StressCase {
         }
     }
 
-    /// The case as a device can draw it: by tiles if it can't draw triangles, and without the
-    /// cooperative kernel if it has no subgroups of 8 that shuffle.
+    /// The case as a device can draw it: by tiles if it can't draw triangles, and by a kernel of
+    /// tiles that it can run.
     pub fn for_device(mut self, probe: &Probe) -> Self {
         let options = &mut self.options;
         if !probe.draws_triangles() {
@@ -269,7 +269,9 @@ impl StressCase {
             options.method = Some(RasterMethod::Tiles);
             options.skip -= Skip::DEPTH;
         }
-        if options.kernel == Some(TileKernel::Cooperative) && !probe.can_cooperate() {
+        if let Some(kernel) = options.kernel
+            && probe.lacks_for(kernel).is_some()
+        {
             options.kernel = Some(TileKernel::PerThread);
         }
         // What was measured for the user must not decide how a number is replayed.

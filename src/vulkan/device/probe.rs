@@ -6,7 +6,10 @@ use super::{
 };
 use crate::quirks;
 use ash::{ext, google, khr, vk};
-use effigy_core::layout::SORT_WORKGROUP;
+use effigy_core::{
+    frame::TileKernel,
+    layout::{SHARED_WORKGROUP, SORT_WORKGROUP},
+};
 use std::ffi::CStr;
 
 /// The properties of a physical device.
@@ -65,9 +68,19 @@ impl Probe {
         self.kind == vk::PhysicalDeviceType::CPU
     }
 
-    /// Whether it can run the cooperative kernel of tiles, which is written for subgroups of 8.
-    pub fn can_cooperate(&self) -> bool {
-        self.subgroup_shuffle && self.subgroup_size == 8
+    /// Why it can't run a kernel of tiles. None: it can.
+    pub fn lacks_for(&self, kernel: TileKernel) -> Option<&'static str> {
+        let [width, ..] = self.limits.max_compute_work_group_size;
+        let invocations = width.min(self.limits.max_compute_work_group_invocations);
+        match kernel {
+            TileKernel::Cooperative if !self.subgroup_shuffle || self.subgroup_size != 8 => {
+                Some("for cooperative tiles: subgroups of 8 with shuffles")
+            }
+            TileKernel::Shared if invocations < SHARED_WORKGROUP => {
+                Some("for shared-memory tiles: workgroups of 256 invocations")
+            }
+            _ => None,
+        }
     }
 
     /// Whether the driver can draw triangles without crashing.

@@ -11,7 +11,7 @@ pub(crate) mod download;
 pub(crate) mod draw;
 mod options;
 mod quads;
-mod resolve;
+pub(crate) mod resolve;
 mod runs;
 mod saturation;
 mod stage;

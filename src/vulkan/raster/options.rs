@@ -18,12 +18,16 @@ pub(crate) fn method(options: &RendererOptions, gpu: &Gpu) -> RasterMethod {
 /// invocations at a time: they have kernels of their own. Subgroups of 16 have not been timed.
 pub(crate) fn tile_kernel(options: &RendererOptions, gpu: &Gpu) -> TileKernel {
     options.kernel.unwrap_or_else(|| {
-        if !gpu.probe.is_cpu() {
+        let preferred = if !gpu.probe.is_cpu() {
             TileKernel::Shared
-        } else if gpu.probe.can_cooperate() && !gpu.probe.driver.starts_with("SwiftShader") {
-            TileKernel::Cooperative
-        } else {
+        } else if gpu.probe.driver.starts_with("SwiftShader") {
             TileKernel::PerThread
+        } else {
+            TileKernel::Cooperative
+        };
+        match gpu.probe.lacks_for(preferred) {
+            Some(_) => TileKernel::PerThread,
+            None => preferred,
         }
     })
 }

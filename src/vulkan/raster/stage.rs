@@ -23,7 +23,7 @@ use crate::{
     },
 };
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, TileKernel, atlas::Slot},
+    frame::{ColorFormat, RasterMethod, RendererOptions, atlas::Slot},
     layout::BinLists,
 };
 use std::sync::Arc;
@@ -58,10 +58,10 @@ impl Raster {
             RasterMethod::Quads => Method::Quads(Box::new(Quads::new(gpu, inputs, options)?)),
             RasterMethod::Tiles => {
                 let kernel = tile_kernel(options, gpu);
-                if kernel == TileKernel::Cooperative && !gpu.probe.can_cooperate() {
+                if let Some(missing) = gpu.probe.lacks_for(kernel) {
                     return Err(Error::Unsupported {
                         device: gpu.probe.name.clone(),
-                        missing: "for cooperative tiles: subgroups of 8 with shuffles".into(),
+                        missing: missing.into(),
                     });
                 }
                 if leaves_loops(&gpu.probe.driver) {

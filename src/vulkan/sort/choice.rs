@@ -15,7 +15,7 @@ use crate::vulkan::device::{
 };
 use effigy_core::{
     frame::{KeyBits, SortVariant},
-    layout::{SORT_CULLED, SORT_GROUP},
+    layout::{MAX_SUMMED_TILES, SORT_CULLED},
 };
 use std::{
     path::Path,
@@ -27,8 +27,8 @@ use std::{
 const KEYS: u32 = 60_000;
 /// Runs of which the best counts.
 const TIMED: usize = 3;
-/// Tiles of the test of long keys: enough for the scans to have groups of groups.
-const LONG_TILES: u32 = 2 * SORT_GROUP + 3;
+/// Tiles of the test of long keys: so many that the scans add them up in groups.
+const LONG_TILES: u32 = MAX_SUMMED_TILES + 3;
 /// A sort of so few keys that takes longer, twice, is refused.
 const PATIENCE: Duration = Duration::from_secs(2);
 

@@ -9,6 +9,7 @@ use crate::vulkan::{
         shaders::{self, Module},
     },
 };
+use ash::vk;
 use effigy_core::{
     frame::SortVariant,
     layout::{MAX_SUMMED_TILES, SORT_GROUP},
@@ -147,6 +148,7 @@ impl SortSize {
                 self.options.stall,
                 u32::from(unrolled),
                 self.value_bits(),
+                tiles_read_at_once(gpu.probe.kind),
             ],
         ]
         .concat();
@@ -195,6 +197,16 @@ impl SortSize {
         let [low, high] = gpu.probe.subgroup_sizes?;
         let size = self.options.subgroup.unwrap_or(gpu.probe.subgroup_size);
         (low..=high).contains(&size).then_some(size)
+    }
+}
+
+/// Earlier tiles whose counts OneSweep reads at a time. A CPU runs few tiles together: the one before
+/// has its sums. With 8, Mali's registers don't hold a tile's entries too.
+fn tiles_read_at_once(kind: vk::PhysicalDeviceType) -> u32 {
+    match kind {
+        vk::PhysicalDeviceType::CPU => 1,
+        vk::PhysicalDeviceType::DISCRETE_GPU => 8,
+        _ => 4,
     }
 }
 

@@ -99,14 +99,19 @@ impl StandaloneSort {
     /// Compares what the last run made of `keys` with what it should be. None: the same; otherwise
     /// what differs.
     pub fn difference(&self, keys: &[u32]) -> Result<Option<String>> {
-        let expected = expected(keys, self.bits);
+        self.difference_from(&expected(keys, self.bits), keys.len())
+    }
+
+    /// Compares what the last run made of so many keys with the order that [`expected`] gives. None:
+    /// the same; otherwise what differs.
+    pub fn difference_from(&self, expected: &[u32], keys: usize) -> Result<Option<String>> {
         let control: Control =
             bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
         if control.visible_count as usize != expected.len() {
             return Ok(Some(format!(
                 "{} of {} keys are visible, expected {}",
                 control.visible_count,
-                keys.len(),
+                keys,
                 expected.len()
             )));
         }
@@ -121,10 +126,8 @@ impl StandaloneSort {
         let wrong = (0..order.len()).find(|&at| order[at] != expected[at]);
         Ok(wrong.map(|at| {
             format!(
-                "of {} keys, place {at} has index {}, expected {}",
-                keys.len(),
-                order[at],
-                expected[at]
+                "of {keys} keys, place {at} has index {}, expected {}",
+                order[at], expected[at]
             )
         }))
     }

@@ -242,7 +242,7 @@ fn rasters(gpu: &Gpu, options: &RendererOptions, safest: &Candidate) -> Vec<Cand
     let open = options.method != Some(RasterMethod::Quads) && options.kernel.is_none();
     if open && !leaves_loops(&gpu.probe.driver) {
         for kernel in TileKernel::ALL {
-            if kernel != TileKernel::Cooperative || gpu.probe.can_cooperate() {
+            if gpu.probe.lacks_for(kernel).is_none() {
                 rasters.push(Candidate {
                     method: RasterMethod::Tiles,
                     kernel,

@@ -89,7 +89,8 @@ fn filters_draw_the_references_image() {
     for rasterizer in Rasterizer::ALL {
         let mut options = gpu::options([64, 80]);
         rasterizer.choose(&mut options);
-        if options.kernel == Some(TileKernel::Cooperative) && !device.probe.can_cooperate() {
+        let kernel = options.kernel.unwrap_or(TileKernel::PerThread);
+        if device.probe.lacks_for(kernel).is_some() {
             continue;
         }
         if options.method == Some(RasterMethod::Quads) && !device.probe.draws_triangles() {

@@ -1,12 +1,12 @@
-// Which splats of a batch meet the samples of which invocation. Dearer to test than quarters
-// (hits_quarters.glsl), and each invocation walks its own splats alone: for `saturation`, whose
-// region is a bin, so that a splat is tested once.
+// Which splats of a batch meet which part of a region. A region has 8 by 8 parts, of one invocation or
+// of 2 by 2, so that each walks few splats but its own.
 
-// Of each row of invocations a byte a splat, a bit an invocation. Splats k, k + 8, k + 16 and k + 24
-// share a word, so that the bits of 32 splats for an invocation are those of 8 words, masked and
-// shifted (hits_of).
+// Of each row of parts a byte a splat, a bit a part. Splats k, k + 8, k + 16 and k + 24 share a word,
+// so that the bits of 32 splats for a part are those of 8 words, masked and shifted (hits_of).
 const uint SIDE = 8u;
-const uint HIT_ROW = RASTER_WORKGROUP / 4u;
+// Invocations per side of a part.
+const uint PART = REGION / (2u * STEP * SIDE);
+const uint HIT_ROW = GROUP / 4u;
 const uint HIT_WORDS = SIDE * HIT_ROW;
 shared uint batch_hits[HIT_WORDS];
 
@@ -47,9 +47,9 @@ bool note_hits(uint k, Ellipse e) {
     return meets;
 }
 
-// The splats of the batch, from 32 `word` on, that meet the samples of an invocation.
+// The splats of the batch, from 32 `word` on, that meet the part of an invocation.
 uint hits_of(uint thread, uint word) {
-    uvec2 place = place_of(thread);
+    uvec2 place = place_of(thread) / PART;
     uint hits = 0u;
     for (uint k = 0u; k < 8u; ++k) {
         uint bits = batch_hits[place.y * HIT_ROW + 8u * word + k];
