@@ -5,7 +5,8 @@
 //
 // The including shader declares what it writes before this file, and defines REGION, the side of
 // the region that a workgroup draws, px; STEP, the distance of its samples, px; GROUP, its
-// invocations, which have 2 by 2 samples each; and MARKS if splats are marked and their keys needed.
+// invocations, which have 2 by 2 samples each; and MARKS if splats are marked and their keys
+// needed.
 #include "common/platform.glsl"
 #include "common/frame.glsl"
 #include "common/splat.glsl"
@@ -27,7 +28,7 @@ layout(std430, set = 0, binding = 6) buffer Marks { uint marks[]; };
 PARAMETER(0, float, CUTOFF_EXPONENT, -7.994353)
 // A sample is saturated if what lies behind would show by less than this.
 PARAMETER(1, float, SATURATION, 1.0 / 255.0)
-// Whether evaluated samples are counted.
+// Whether samples of splats that show are counted.
 PARAMETER(2, bool, COUNTED, false)
 #include "common/bins.glsl"
 #include "raster/place.glsl"

@@ -2,8 +2,8 @@
 // its samples, with `bool open`, whether some are not saturated; and `blend(samples, seen)`, which
 // puts a splat of the batch behind them.
 
-// The pair at a place of a bin's list that ends at `end`, and a pair's splat: the first of all where
-// there is none.
+// The pair at a place of a bin's list that ends at `end`, and a pair's splat: the first of all
+// where there is none.
 const uint NO_PAIR = 0xffffffffu;
 uint pair_at(uint place, uint end) { return place < end ? sorted[place] : NO_PAIR; }
 uint splat_of(uint pair) { return pair != NO_PAIR ? bins[PAIRS_START + pair] : 0u; }
@@ -47,8 +47,7 @@ void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
     uint bin = at.y * bins_of(shift).x + at.x;
     uint from = bins[STARTS_START + bin], end = bins[STARTS_START + bin + 1u];
     // A splat is found by way of its pair and its index. Each is read a batch before what it leads
-    // to, while the batch before is blended. The splats too would be 5 % faster on an H200, and not
-    // fit Mali's 64 registers.
+    // to, while the batch before is blended. The splats too would not fit Mali's 64 registers.
     uint i = splat_of(pair_at(from + thread, end));
     uint next = splat_of(pair_at(from + GROUP + thread, end));
     uint pair = pair_at(from + 2u * GROUP + thread, end);

@@ -1,8 +1,8 @@
-// Which splats of a batch meet which part of a region. A region has 8 by 8 parts, of one invocation or
-// of 2 by 2, so that each walks few splats but its own.
+// Which splats of a batch meet which part of a region. A region has 8 by 8 parts, of one invocation
+// or of 2 by 2, so that each walks few splats but its own.
 
-// Of each row of parts a byte a splat, a bit a part. Splats k, k + 8, k + 16 and k + 24 share a word,
-// so that the bits of 32 splats for a part are those of 8 words, masked and shifted (hits_of).
+// Of each row of parts a byte a splat, a bit a part. Splats k, k + 8, k + 16 and k + 24 share a
+// word, so that the bits of 32 splats for a part are those of 8 words, masked and shifted (hits_of).
 const uint SIDE = 8u;
 // Invocations per side of a part.
 const uint PART = REGION / (2u * STEP * SIDE);

@@ -1,5 +1,5 @@
-// The tile rasterizer for GPUs: a workgroup draws a region, an invocation 2 by 2 px, from the list of
-// the bin that the region lies in (batches.glsl).
+// The tile rasterizer for GPUs: a workgroup draws a region, an invocation 2 by 2 px, from the list
+// of the bin that the region lies in (batches.glsl).
 #define REGION SHARED_REGION
 #define STEP 1u
 #define GROUP SHARED_WORKGROUP

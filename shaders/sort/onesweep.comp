@@ -2,14 +2,14 @@
 // Ranks come from subgroup ballots. From the second pass on, the offsets come from the tiles before
 // (decoupled look-back): each tile publishes its counts, and then the sums of its and all earlier
 // ones. An atomic ticket numbers the tiles, so that the earlier ones have at least started. A
-// device may stall them all the same: after SORT_POLLS reads a workgroup counts the tile that it
-// waits for itself.
+// device may stall them all the same: after SORT_POLLS rounds of reads that find nothing new a
+// workgroup counts the tile that it waits for itself.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #define THREADS SORT_WORKGROUP
-#define SHARED_COUNTS
+#define POLLED_COUNTS
 #include "sort/pass.glsl"
 #include "sort/entries.glsl"
 #include "sort/output.glsl"
@@ -49,9 +49,10 @@ uint counter(uint at, uint digit) {
 }
 
 // Adds the counts of the tiles before `walk`, and moves it down to 0. False if it polled too often.
-// It reads several tiles at a time: tiles that began together have counts and no sums yet, and a walk
-// that reads one after another waits for memory once a tile. A word has both the count and whether it
-// is there, so that plain reads do, which cost a GPU's caches far less than atomic ones.
+// It reads several tiles at a time: tiles that began together have counts and no sums yet, and a
+// walk that reads one after another waits for memory once a tile. A word has both the count and
+// whether it is there, so that reads that are not atomic do; atomic ones cost a GPU's caches far
+// more.
 bool look_back(uint digit, inout uint walk, inout uint before) {
     uint polls = 0u;
     while (walk > 0u) {

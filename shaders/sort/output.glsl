@@ -1,7 +1,8 @@
 // The entries that a pass writes.
 layout(std430, set = 0, binding = 4) writeonly buffer Sorted { uint sorted[]; };
 #ifndef WEB
-// The same, to write a pair at once: entries go far apart, and a GPU writes each place by itself.
+// The same, to write a pair at once: entries go far apart, and a GPU writes each place by itself. A
+// pass writes through one of the two, as WRITES says, and reads neither.
 layout(std430, set = 0, binding = 4) writeonly buffer SortedPairs { uvec2 sorted_pairs[]; };
 #endif
 

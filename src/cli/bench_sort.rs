@@ -26,8 +26,8 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// For how long each sort runs before it is timed: a GPU that waited for the CPU's comparison takes so
-/// long to raise its clocks.
+/// For how long each sort runs before it is timed: a GPU that waited for the CPU's comparison takes
+/// so long to raise its clocks.
 const WARM_UP: Duration = Duration::from_millis(500);
 
 #[derive(clap::Args, Debug)]

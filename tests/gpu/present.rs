@@ -56,8 +56,8 @@ fn a_stretched_image_agrees_with_the_reference() {
                     .chunks(4)
                     .flat_map(|pixel| [0, 1, 2].map(|k| f64::from(pixel[k]) / 255.0))
                     .collect();
-                // Vulkan lets a device take either of the two nearest steps of 8 bits; and where texels
-                // are mixed it has 8 bits of how near each is.
+                // Vulkan lets a device take either of the two nearest steps of 8 bits; where
+                // texels are mixed it has 8 bits of how near each is.
                 gpu::assert_close(
                     &format!("{method:?} {color:?} {drawn:?}"),
                     &got,

@@ -68,7 +68,7 @@ fi
 plan='
 devices 45
 rates 45
-sorts 90
+sorts 120
 frames-quads 60
 frames-tiles 60
 tests 150

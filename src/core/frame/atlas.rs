@@ -12,7 +12,8 @@ use crate::scene::{
 };
 use glam::UVec2;
 
-/// Slots start at multiples of this, px, so that no tile has splats of two.
+/// Slots start at multiples of this, px, so that few tiles have splats of two: those are drawn in
+/// their slot alone, and cost the other time.
 const ALIGNMENT: u32 = 16;
 /// Longest side of an atlas, px: the least that a Vulkan device may have.
 const LONGEST: u32 = 4096;

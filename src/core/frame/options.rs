@@ -145,8 +145,8 @@ pub enum TileKernel {
     /// pixels each, in tiles of at least 16 × 16 pixels: for CPU drivers that execute subgroups in
     /// step. Mali's compiler spills 700 registers.
     Cooperative,
-    /// A workgroup reads the list of its bin in batches into shared memory, without the splats
-    /// whose ellipses miss its 16 × 16 pixels: for GPUs.
+    /// A workgroup of 256 invocations reads the list of its bin in batches into shared memory, with
+    /// a bit for each 4 × 4 of its 32 × 32 pixels that a splat's ellipse meets: for GPUs.
     Shared,
 }
 

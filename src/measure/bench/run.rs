@@ -120,9 +120,9 @@ pub struct Samples {
     pub reports: Vec<FrameReport>,
 }
 
-/// For how long frames are drawn at least before some are timed: a GPU that had nothing to do, while
-/// an image was compared say, takes so long to raise its clocks. They were a fifth of what they are
-/// under load on an H200.
+/// For how long frames are drawn at least before some are timed: a GPU that had nothing to do,
+/// while an image was compared say, takes so long to raise its clocks. They were a fifth of what
+/// they are under load on an H200.
 const WARM_UP: Duration = Duration::from_millis(500);
 
 /// Times the scenes after drawing `warm_up` frames, or more until [`WARM_UP`] has passed. `tick` is

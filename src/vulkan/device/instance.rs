@@ -132,8 +132,8 @@ fn messenger_info() -> vk::DebugUtilsMessengerCreateInfoEXT<'static> {
         .pfn_user_callback(Some(report))
 }
 
-/// A function that nothing of this program asks for: with NVIDIA's driver 580 and the loader 1.3.239
-/// the layer reports a call of vkGetDeviceProcAddr for it within vkCreateDevice.
+/// A function that nothing of this program asks for: with NVIDIA's driver 580 and the loader
+/// 1.3.239 the layer reports a call of vkGetDeviceProcAddr for it within vkCreateDevice.
 const NOT_ASKED_FOR: &str = "vkGetPhysicalDeviceVideoEncodeQualityLevelPropertiesKHR";
 
 /// Counts and prints what the validation layer says of this program's calls.

@@ -200,8 +200,8 @@ impl SortSize {
     }
 }
 
-/// Earlier tiles whose counts OneSweep reads at a time. A CPU runs few tiles together: the one before
-/// has its sums. With 8, Mali's registers don't hold a tile's entries too.
+/// Earlier tiles whose counts OneSweep reads at a time. A CPU runs few tiles together: the one
+/// before has its sums. With 8, Mali's registers don't hold a tile's entries too.
 fn tiles_read_at_once(kind: vk::PhysicalDeviceType) -> u32 {
     match kind {
         vk::PhysicalDeviceType::CPU => 1,

@@ -102,8 +102,8 @@ impl StandaloneSort {
         self.difference_from(&expected(keys, self.bits), keys.len())
     }
 
-    /// Compares what the last run made of so many keys with the order that [`expected`] gives. None:
-    /// the same; otherwise what differs.
+    /// Compares what the last run made of so many keys with the order that [`expected`] gives.
+    /// None: the same; otherwise what differs.
     pub fn difference_from(&self, expected: &[u32], keys: usize) -> Result<Option<String>> {
         let control: Control =
             bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);

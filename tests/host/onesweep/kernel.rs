@@ -12,6 +12,10 @@ pub const DIGITS: usize = SORT_DIGITS as usize;
 const ROUNDS: usize = TILE / THREADS;
 pub const COLUMNS: usize = 16;
 const WORDS: usize = DIGITS / 2;
+/// Earlier tiles whose counts are read at a time: as on a GPU that is a card of its own.
+const LOOK: usize = 8;
+/// Invocations whose sums one of them adds up.
+const BLOCK: usize = 16;
 const COUNTED: u32 = 1 << 30;
 const SUMMED: u32 = 2 << 30;
 const NUMBER: u32 = COUNTED - 1;
@@ -34,6 +38,7 @@ pub struct Shared {
     pub column: Words,
     pub offset: Words,
     pub sums: Words,
+    pub block_sums: Words,
     pub seats: Words,
     pub ticket: Words,
     pub waiting: Words,
@@ -45,6 +50,7 @@ impl Shared {
             column: words(COLUMNS * WORDS),
             offset: words(DIGITS),
             sums: words(THREADS),
+            block_sums: words(THREADS / BLOCK),
             seats: words(1),
             ticket: words(1),
             waiting: words(1),
@@ -68,18 +74,28 @@ impl Run<'_> {
     async fn look_back(&self, digit: usize, walk: &mut usize, before: &mut u32) {
         let mut polls = 0;
         while *walk > 0 {
-            let at = STATUS + (*walk - 1) * DIGITS + digit;
-            let word = self.own.load(&self.pass.counts, at).await;
-            if word < COUNTED {
-                polls += 1;
-                if polls >= SORT_POLLS {
-                    return;
+            let mut words = [0; LOOK];
+            for (w, word) in words.iter_mut().enumerate() {
+                if w < *walk {
+                    let at = STATUS + (*walk - 1 - w) * DIGITS + digit;
+                    *word = self.own.load(&self.pass.counts, at).await;
                 }
-                continue;
             }
-            polls = 0;
-            *before += word & NUMBER;
-            *walk = if word >= SUMMED { 0 } else { *walk - 1 };
+            let from = *walk;
+            for word in words {
+                if word < COUNTED {
+                    break;
+                }
+                *before += word & NUMBER;
+                *walk = if word >= SUMMED { 0 } else { *walk - 1 };
+                if *walk == 0 {
+                    break;
+                }
+            }
+            polls = if *walk == from { polls + 1 } else { 0 };
+            if polls >= SORT_POLLS {
+                return;
+            }
         }
     }
 
@@ -147,8 +163,19 @@ impl Run<'_> {
         // add_lower_digits() of sort/offsets.glsl
         own.store(&shared.sums, own.thread, first + second).await;
         own.barrier().await;
+        if own.thread < THREADS / BLOCK {
+            let mut sum = 0;
+            for t in 0..BLOCK {
+                sum += own.load(&shared.sums, own.thread * BLOCK + t).await;
+            }
+            own.store(&shared.block_sums, own.thread, sum).await;
+        }
+        own.barrier().await;
         let mut lower = 0;
-        for t in 0..own.thread {
+        for b in 0..own.thread / BLOCK {
+            lower += own.load(&shared.block_sums, b).await;
+        }
+        for t in own.thread / BLOCK * BLOCK..own.thread {
             lower += own.load(&shared.sums, t).await;
         }
         own.add(&shared.offset, digit, lower).await;
