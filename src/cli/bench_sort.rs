@@ -16,19 +16,11 @@ use effigy::vulkan::{
 };
 use effigy_core::random::hash;
 use effigy_measure::{
+    WARM_UP,
     report::{DeviceReport, Program, bits_of_keys},
     sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name},
 };
-use std::{
-    iter,
-    path::PathBuf,
-    sync::Arc,
-    time::{Duration, Instant},
-};
-
-/// For how long each sort runs before it is timed: a GPU that waited for the CPU's comparison takes
-/// so long to raise its clocks.
-const WARM_UP: Duration = Duration::from_millis(500);
+use std::{iter, path::PathBuf, sync::Arc, time::Instant};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -51,7 +43,12 @@ pub struct Args {
     #[arg(long)]
     subgroups: bool,
     /// Times that each sort is run, 1 or more, after a warm-up of 0.5 s; the median counts
-    #[arg(long, value_name = "N", default_value_t = 21, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 21,
+        value_parser = clap::value_parser!(u16).range(1..)
+    )]
     runs: u16,
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE")]

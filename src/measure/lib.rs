@@ -40,7 +40,12 @@ pub mod viewpoint;
 
 pub use effigy_core::scene::upright;
 use glam::{DAffine3, DVec3};
-use std::sync::OnceLock;
+use std::{sync::OnceLock, time::Duration};
+
+/// For how long work runs at least before some of it is timed: a GPU that had nothing to do, while
+/// results were compared say, takes so long to raise its clocks. They were a fifth of what they are
+/// under load on an H200.
+pub const WARM_UP: Duration = Duration::from_millis(500);
 
 static COMMIT: OnceLock<&'static str> = OnceLock::new();
 

@@ -2,8 +2,8 @@
 
 use super::{BIN_BLOCK, BIN_SIDES, Control};
 
-/// Side of the smallest bin, px: the region that a workgroup of the saturation stage takes. A region
-/// lies in one bin.
+/// Side of the smallest bin, px: the region that a workgroup of the saturation stage takes. A
+/// region lies in one bin.
 const BIN_SIDE: u32 = super::SATURATION_REGION;
 const _: () = assert!(BIN_SIDE.is_multiple_of(super::SHARED_REGION));
 /// Maximum number of bins of an image. Their numbers are keys of 16 bits, of which the largest is

@@ -408,7 +408,7 @@ struct MovedPart<'a> {
     camera: &'a Camera,
     /// Around the box as moved by the part's major joints, in camera coordinates.
     major: AxisBox,
-    /// As moved by all of its joints.
+    /// Around the box as moved by all of its joints, in camera coordinates.
     all: AxisBox,
 }
 

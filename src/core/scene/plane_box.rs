@@ -27,8 +27,8 @@ impl PlaneBox {
         max: DVec2::INFINITY,
     };
 
-    /// Encloses where anything within `margin` metres of a point may appear, and `reach` px further.
-    /// `p`: in camera coordinates, further than `margin` from the camera's plane.
+    /// Encloses where anything within `margin` metres of a point may appear, and `reach` px
+    /// further. `p`: in camera coordinates, further than `margin` from the camera's plane.
     pub fn around(p: DVec3, camera: &Camera, margin: f64, reach: f64) -> Self {
         let slope = p.truncate() / p.z;
         let at = camera.focal * slope + camera.center;

@@ -134,8 +134,8 @@ fn last_in_view(scenes: &[BenchScene], bounds: &AvatarBounds, frame: usize) -> u
         let mut joints = instances.iter().map(|instance| &instance.reference.joints);
         joints.any(|joints| !bounds.is_outside(joints, camera))
     };
-    let before = (0..count).map(|back| (frame + count - back) % count);
-    before.into_iter().find(is_shown).unwrap_or(frame)
+    let mut backwards = (0..count).map(|back| (frame + count - back) % count);
+    backwards.find(is_shown).unwrap_or(frame)
 }
 
 /// Pixels with an alpha of at least 1/255.

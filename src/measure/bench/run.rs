@@ -9,7 +9,7 @@ use super::{
     case::BenchCase,
     scene::BenchScene,
 };
-use crate::setting::RenderSetting;
+use crate::{WARM_UP, setting::RenderSetting};
 use effigy::vulkan::{FRAMES_IN_FLIGHT, Gpu, GpuOptions, sort::choice};
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
@@ -18,7 +18,7 @@ use effigy_core::{
     frame::{FrameReport, RendererOptions},
     scene::FrameImage,
 };
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Called with what is being done, how many steps of it are done, and how many there are.
 pub type Progress<'a> = &'a mut dyn FnMut(&str, usize, usize);
@@ -119,11 +119,6 @@ pub struct Samples {
     /// Times and counts.
     pub reports: Vec<FrameReport>,
 }
-
-/// For how long frames are drawn at least before some are timed: a GPU that had nothing to do,
-/// while an image was compared say, takes so long to raise its clocks. They were a fifth of what
-/// they are under load on an H200.
-const WARM_UP: Duration = Duration::from_millis(500);
 
 /// Times the scenes after drawing `warm_up` frames, or more until [`WARM_UP`] has passed. `tick` is
 /// called with the number of frames timed so far.
