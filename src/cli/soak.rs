@@ -2,14 +2,15 @@
 
 use crate::{
     advice::Advised,
-    compare, files, interrupt,
+    compare, files,
+    interrupt::Interrupts,
     options::{self, QualityArgs},
     progress,
     source::Source,
 };
 use anyhow::{Context, anyhow};
 use clap::ValueEnum;
-use effigy::vulkan::{Gpu, sort::choice, trials};
+use effigy::vulkan::{Gpu, sort::choice, trials, tuning::Record};
 use effigy_measure::{
     bench::{RenderSetting, report::ErrorReport},
     soak::{
@@ -96,18 +97,20 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some([a, b]) = args.compare.as_deref() {
         return compare::soaks(a, b);
     }
-    let stop = interrupt::interrupts()?;
+    let stop = Interrupts::listen()?;
     let (mut avatar, player) = args.source.load_player()?;
     args.quality.filter.apply(&mut avatar);
     let gpu = Gpu::new(&args.quality.gpu())?;
-    // A soak is of the fastest sort: it is worth the wait.
-    choice::choose(&gpu)?;
     let options = args.quality.renderer(args.size);
     let bar = progress::tuning();
+    let mut show = |candidate: &_| bar.set_message(format!("trying {candidate}"));
+    let tuned = stop.excuse(&Record::of_device(&gpu), |record| {
+        // A soak is of the fastest sort: it is worth the wait.
+        choice::choose(&gpu)?;
+        trials::tune(&gpu, record, &avatar, &player, options, &mut show)
+    })?;
     let setting = RenderSetting {
-        options: trials::tune(&gpu, &avatar, &player, options, &mut |candidate| {
-            bar.set_message(format!("trying {candidate}"));
-        })?,
+        options: tuned,
         rows: 1.0,
         hold: 1,
     };
@@ -141,7 +144,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let mut status = Status::default();
     let mut tick = |session: &Session| status.print(session);
     let mut trace = args.trace.as_ref().map(|_| Trace::new(&gpu));
-    let report = soak::run(&gpu, &task, &mut thermals, trace.as_mut(), &stop, &mut tick)?;
+    let report = soak::run(
+        &gpu,
+        &task,
+        &mut thermals,
+        trace.as_mut(),
+        stop.flag(),
+        &mut tick,
+    )?;
     if let (Some(path), Some(trace)) = (&args.trace, &trace) {
         options::write_trace(path, trace, &gpu)?;
     }

@@ -4,7 +4,7 @@
 use crate::live;
 use crate::{
     fit,
-    interrupt::interrupts,
+    interrupt::Interrupts,
     options::{self, DeviceArgs},
     progress,
 };
@@ -151,7 +151,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some(above) = above.filter(|above| !above.is_dir()) {
         anyhow::bail!("{}: no such folder to write the avatar to", above.display());
     }
-    let stop = interrupts()?;
+    let stop = Interrupts::listen()?;
     let capture = read_capture(folder, &args)?;
     let gpu = Gpu::new(&args.device.gpu())?;
     let name = out.file_stem().unwrap_or_default().to_string_lossy();
@@ -186,7 +186,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         }
     };
     let mut session = Session::new(&gpu, &capture, &recipe, options, announce)?;
-    let outcome = learn(&mut session, &stop, &capture, &args)?;
+    let outcome = learn(&mut session, stop.flag(), &capture, &args)?;
     match outcome {
         Outcome::Stopped => Err(Ended::Stopped {
             steps: session.steps(),

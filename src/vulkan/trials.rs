@@ -1,7 +1,11 @@
 //! Trials of candidates by real frames of an avatar: see [`tuning`](super::tuning).
 
 use super::{
-    device::{error::Result, gpu::Gpu, options::GpuOptions},
+    device::{
+        error::{Error, Result},
+        gpu::Gpu,
+        options::GpuOptions,
+    },
     raster::resolved,
     renderer::Renderer,
     sort::choice,
@@ -211,12 +215,14 @@ impl Trials for RendererTrials<'_> {
     }
 }
 
-/// Times every candidate that nobody tried yet, by a clip of an avatar. The record is the device's.
+/// Times every candidate that nobody tried yet, by a clip of an avatar. `record`: of the device.
+/// Call [`Record::withdraw`] if the program is ended meanwhile.
 ///
 /// # Errors
 /// Those of [`TuningTask::run`].
 pub fn measure(
     gpu: &Arc<Gpu>,
+    record: &Record,
     avatar: &Avatar,
     player: &Player,
     options: RendererOptions,
@@ -228,7 +234,7 @@ pub fn measure(
         scenes: &TrialScene::of_clip(avatar, player, options.size),
         budget_ms: f64::INFINITY,
     };
-    task.run(gpu, &Record::of_device(gpu), progress)
+    task.run(gpu, record, progress)
 }
 
 /// Options with everything that was left open set as [`measure`] finds it fastest.
@@ -237,6 +243,7 @@ pub fn measure(
 /// Those of [`TuningTask::run`].
 pub fn tune(
     gpu: &Arc<Gpu>,
+    record: &Record,
     avatar: &Avatar,
     player: &Player,
     options: RendererOptions,
@@ -245,7 +252,7 @@ pub fn tune(
     if !Workload::is_open(&options) {
         return Ok(resolved(gpu, options));
     }
-    let tuning = measure(gpu, avatar, player, options, progress)?;
+    let tuning = measure(gpu, record, avatar, player, options, progress)?;
     Ok(resolved(gpu, tuning.best.apply(options)))
 }
 
@@ -254,12 +261,19 @@ pub fn tune(
 /// window's was opened; `record`: of that device. Meant for a thread of its own.
 ///
 /// # Errors
-/// Those of [`TuningTask::run`], and when the device can't be opened.
+/// Those of [`TuningTask::run`], and when the device can't be opened or is another than the
+/// record's.
 pub fn tune_aside(device: &GpuOptions, record: &Record, task: &TuningTask) -> Result<Tuning> {
     let gpu = Gpu::new(&GpuOptions {
         surface_extensions: Vec::new(),
         ..device.clone()
     })?;
+    if !record.is_of(&gpu) {
+        return Err(Error::NoSuchDevice {
+            wanted: device.device.clone().unwrap_or_default(),
+            found: format!("another one, or another driver: `{}`", gpu.probe.name),
+        });
+    }
     task.run(&gpu, record, &mut |candidate| {
         tracing::debug!("trying {candidate}");
     })

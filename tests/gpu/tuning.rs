@@ -51,8 +51,12 @@ enum Fault {
     Loses,
     /// Its first frame never ends.
     Hangs,
-    /// Its images have a hole.
+    /// One pixel is lost.
     Miscompiles,
+    /// It leaves light where nothing is covered.
+    Glows,
+    /// An opacity is no number where nothing is covered.
+    Garbles,
     /// It refuses the kernel.
     Refuses,
     /// Its images are 54 dB from others: right for a way to rasterize.
@@ -127,10 +131,14 @@ impl Trials for Driver {
     }
 
     fn image(&mut self, candidate: &mut Candidate) -> Result<TrialImage> {
+        // One lost pixel of so many is 57 dB.
+        let side = 400;
+        let body = [[0.5, 0.4, 0.3, 1.0]].repeat(side * (side - 1));
         let mut image = FrameImage {
-            size: [10, 10],
-            pixels: vec![[0.5, 0.4, 0.3, 1.0]; 100],
+            size: [side as u32; 2],
+            pixels: [body, vec![[0.0; 4]; side]].concat(),
         };
+        let last = image.pixels.len() - 1;
         match self.fault(candidate) {
             Some(Fault::Loses) => return Err(Error::DeviceLost("a test")),
             Some(Fault::Hangs) => {
@@ -140,7 +148,11 @@ impl Trials for Driver {
                 });
             }
             Some(Fault::Miscompiles) => image.pixels[7] = [0.0; 4],
-            Some(Fault::Rounds) => image.pixels.fill([0.502, 0.402, 0.302, 0.998]),
+            Some(Fault::Glows) => image.pixels[last] = [0.9, 0.0, 0.0, 0.0],
+            Some(Fault::Garbles) => image.pixels[last][3] = f32::NAN,
+            Some(Fault::Rounds) => {
+                image.pixels[..side * (side - 1)].fill([0.502, 0.402, 0.302, 0.998]);
+            }
             _ => {}
         }
         let ms = self.frame_ms(candidate);
@@ -321,14 +333,16 @@ fn what_is_far_slower_gets_one_pair_of_frames() {
 }
 
 fn a_wrong_image_is_never_drawn_however_fast() {
-    let mut bench = Bench::new(&[speed(is_tiles, 0.1), speed(is_tested, 0.9)])
-        .failing(Fault::Miscompiles, is_tiles);
-    let tuning = bench.run().unwrap();
-    assert_eq!(tuning.best, TESTED);
-    assert!(
-        matches!(outcome(&tuning, is_tiles), Outcome::Refused(why) if why.contains("wrong")),
-        "{tuning:#?}"
-    );
+    for fault in [Fault::Miscompiles, Fault::Glows, Fault::Garbles] {
+        let mut bench =
+            Bench::new(&[speed(is_tiles, 0.1), speed(is_tested, 0.9)]).failing(fault, is_tiles);
+        let tuning = bench.run().unwrap();
+        assert_eq!(tuning.best, TESTED, "{fault:?}");
+        assert!(
+            matches!(outcome(&tuning, is_tiles), Outcome::Refused(why) if why.contains("wrong")),
+            "{fault:?}: {tuning:#?}"
+        );
+    }
 }
 
 fn images_are_held_against_the_best_so_far() {
@@ -547,6 +561,25 @@ fn a_damaged_or_old_record_is_measured_again() {
     }
 }
 
+fn a_device_opened_in_two_ways_has_two_records() {
+    let mut bench = Bench::new(&[speed(is_tested, 0.5)]);
+    let whole = bench.gpu.clone();
+    let found = bench.run().unwrap();
+    bench.gpu = gpu::open(GpuOptions {
+        baseline: true,
+        ..GpuOptions::headless(None)
+    });
+    let baseline = bench.record();
+    assert!(baseline.is_of(&bench.gpu));
+    assert!(!baseline.is_of(&whole), "baseline takes nothing away here");
+    assert_eq!(baseline.tunings(), []);
+    let mut bench = bench.failing(Fault::Refuses, is_tested);
+    assert_ne!(bench.run().unwrap().best, found.best);
+    bench.gpu = whole;
+    assert_eq!(bench.record().tunings(), [found]);
+    assert_eq!(bench.record().refusal(Axis::Raster, &TESTED), None);
+}
+
 fn a_workload_is_what_decides_speed() {
     let options = RendererOptions::new([1000, 1000]);
     let avatar = |gaussians| {
@@ -723,6 +756,15 @@ fn renderers_draw_as_was_measured_and_drop_what_fails() {
     assert_eq!(tuned.tuning(), Some(&tuning));
     assert_eq!(tuned.options().method, Some(tuning.best.method));
     assert_eq!(tuned.options().sort, Some(tuning.best.sort));
+    // What the options are at fault for is not the best's.
+    let too_few = RendererOptions {
+        gaussians: Some(10),
+        ..task.options
+    };
+    let failed = Renderer::new(&device, &avatar, too_few).map(|_| ());
+    assert!(matches!(failed, Err(Error::Unusable(_))), "{failed:?}");
+    let record = Record::of_device(&device);
+    assert_eq!(record.tuning(&tuning.workload).as_ref(), Some(&tuning));
     // A best that this device can't draw with, as after a change that no version tells.
     let files = fs::read_dir(folder.path()).unwrap();
     let mut records = files
@@ -767,6 +809,7 @@ tests! {
     a_best_that_fails_gives_way_to_the_safest,
     a_start_takes_no_longer_than_its_budget,
     a_damaged_or_old_record_is_measured_again,
+    a_device_opened_in_two_ways_has_two_records,
     a_workload_is_what_decides_speed: no_device,
     every_candidate_of_this_device_is_right,
     a_real_device_that_is_lost_in_a_trial_is_opened_again,

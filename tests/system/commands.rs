@@ -3,7 +3,7 @@
 use crate::common::{self, gpu};
 use effigy_measure::error;
 use std::{
-    path::Path,
+    path::{Path, PathBuf},
     process::{Command, Output, Stdio},
     time::{Duration, Instant},
 };
@@ -587,6 +587,54 @@ fn what_is_killed_leaves_what_it_had_measured() {
     }
 }
 
+/// Ctrl-C, or the end of a step's time, while a way to draw is under trial.
+#[cfg(unix)]
+fn what_is_ended_while_it_tries_ways_to_draw_refuses_none() {
+    gpu::drawing();
+    for (arguments, signal) in [
+        ("bench --size 96x96 --frames 1 --check 0 --spread 0", "-INT"),
+        ("soak --size 64x80", "-TERM"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        common::small_files(folder.path());
+        let cache = folder.path().join("cache");
+        let record = || {
+            let files = std::fs::read_dir(cache.join("effigy")).ok()?;
+            let mut files = files.filter_map(|file| Some(file.ok()?.path()));
+            let of_tuning = |path: &PathBuf| {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                name.starts_with("tuning-")
+            };
+            let text = std::fs::read_to_string(files.find(of_tuning)?).ok()?;
+            serde_json::from_str::<serde_json::Value>(&text).ok()
+        };
+        // Twice: of a program that ended twice in a trial, the second time would count.
+        for _ in 0..2 {
+            let mut child = command(
+                folder.path(),
+                &format!("{arguments} small.avatar --motion small.motion"),
+            )
+            .env("XDG_CACHE_HOME", &cache)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+            while !record().is_some_and(|record| record["trying"].is_object()) {
+                let ended = child.try_wait().unwrap();
+                assert!(ended.is_none(), "{arguments}: it tried nothing, {ended:?}");
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            let id = child.id().to_string();
+            let killed = Command::new("kill").args([signal, &id]).status().unwrap();
+            assert!(killed.success());
+            assert_eq!(child.wait().unwrap().code(), Some(130), "{arguments}");
+            let record = record().unwrap();
+            assert_eq!(record["trying"], serde_json::Value::Null, "{arguments}");
+            assert_eq!(record["refusals"], serde_json::json!([]), "{arguments}");
+        }
+    }
+}
+
 fn shader_statistics_are_a_table_or_a_sentence() {
     let device = gpu::gpu();
     let folder = tempfile::tempdir().unwrap();
@@ -645,6 +693,8 @@ tests! {
     image_sizes_that_no_device_draws_are_refused,
     devices_lists_every_device_and_its_use,
     what_is_killed_leaves_what_it_had_measured,
+    #[cfg(unix)]
+    what_is_ended_while_it_tries_ways_to_draw_refuses_none,
     shader_statistics_are_a_table_or_a_sentence,
     a_capture_without_renderdoc_says_how_to_attach_it,
 }

@@ -7,11 +7,13 @@ mod report;
 use crate::{
     backend::BackendArg,
     files::ChartFile,
+    interrupt::Interrupts,
     options::{self, QualityArgs},
     progress,
     source::{self, Source},
 };
 use anyhow::{Context, ensure};
+use effigy::vulkan::{trials, tuning::Record};
 use effigy_core::{frame::RendererOptions, io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Parameter, RenderSetting, measured, open,
@@ -253,9 +255,20 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let gpu = open(args.backend.try_into()?, &args.quality.gpu())?;
     let bar = progress::items(0, "frames");
-    job.setting.options = gpu.tune(&avatar, player, job.setting.options, &mut |candidate| {
-        bar.set_message(format!("trying {candidate}"));
-    })?;
+    let options = job.setting.options;
+    job.setting.options = match gpu.vulkan() {
+        Some(gpu) => {
+            let stop = Interrupts::listen()?;
+            let mut show = |candidate: &_| bar.set_message(format!("trying {candidate}"));
+            let tuned = stop.excuse(&Record::of_device(gpu), |record| {
+                trials::tune(gpu, record, &avatar, player, options, &mut show)
+            })?;
+            stop.end_as_usual();
+            tuned
+        }
+        // It has nothing to choose from.
+        None => gpu.resolve(options),
+    };
     let any = task_of(job.sweep_case, false);
     let mut report = any.report(&gpu, &job.setting, std::env::args().collect());
     let mut show = |what: &str, done: usize, all: usize| {

@@ -1,6 +1,6 @@
 //! What there is to say about a device: what it may have, and what was measured of it.
 
-use crate::{advice::NO_TRIANGLES, progress};
+use crate::{advice::NO_TRIANGLES, interrupt::Interrupts, progress};
 use ash::{ext, khr};
 use effigy::vulkan::{
     Gpu, GpuOptions, Probe, RendererOptions, Result,
@@ -143,12 +143,17 @@ fn measured(
     let bar = progress::tuning();
     let options = RendererOptions::new(DEMO_SIZE);
     let mut kept = Ok(());
-    let tuning = trials::measure(&gpu, &avatar, &player, options, &mut |candidate| {
-        bar.set_message(format!("trying {candidate}"));
-        if kept.is_ok() {
-            kept = keep(&record.tunings());
-        }
+    let stop = Interrupts::listen()?;
+    let tuning = stop.excuse(&record, |record| {
+        let mut show = |candidate: &_| {
+            bar.set_message(format!("trying {candidate}"));
+            if kept.is_ok() {
+                kept = keep(&record.tunings());
+            }
+        };
+        trials::measure(&gpu, record, &avatar, &player, options, &mut show)
     })?;
+    stop.end_as_usual();
     bar.finish_and_clear();
     kept?;
     let mut tunings = known;

@@ -1,13 +1,13 @@
 //! The backends that can be measured, behind one interface.
 
 use super::{report::DeviceReport, scene::BenchScene};
-use effigy::vulkan::{self, trials, tuning::Progress};
+use effigy::vulkan;
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
 #[cfg(feature = "webgpu")]
 use effigy_core::layout::TILING_WEB;
 use effigy_core::{
-    avatar::{Avatar, motion::Player},
+    avatar::Avatar,
     frame::{FrameReport, RendererOptions},
     layout::{TILING, binning::Tiling},
     scene::{FrameImage, Posed},
@@ -72,25 +72,6 @@ impl BenchDevice {
             Self::Vulkan(gpu) => effigy::vulkan::raster::resolved(gpu, options),
             #[cfg(feature = "webgpu")]
             Self::WebGpu(gpu) => webgpu::options::resolved(gpu, options),
-        }
-    }
-
-    /// The options with everything that was left open set as is fastest, by measuring until all was
-    /// tried: a measurement is worth the wait. WebGPU has nothing to choose from.
-    ///
-    /// # Errors
-    /// When the device fails.
-    pub fn tune(
-        &self,
-        avatar: &Avatar,
-        player: &Player,
-        options: RendererOptions,
-        progress: Progress,
-    ) -> Result<RendererOptions> {
-        match self {
-            Self::Vulkan(gpu) => Ok(trials::tune(gpu, avatar, player, options, progress)?),
-            #[cfg(feature = "webgpu")]
-            Self::WebGpu(_) => Ok(self.resolve(options)),
         }
     }
 

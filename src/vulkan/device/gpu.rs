@@ -283,12 +283,14 @@ fn choose(mut probes: Vec<Probe>, wanted: Option<&str>) -> Result<Probe> {
         .parse()
         .ok()
         .filter(|&number: &usize| number < probes.len());
-    let by_name = || {
+    // A name may be the beginning of another's.
+    let by_name = || probes.iter().position(|probe| probe.name == wanted);
+    let by_part = || {
         probes
             .iter()
             .position(|probe| probe.name.to_lowercase().contains(&wanted.to_lowercase()))
     };
-    if let Some(found) = by_number.or_else(by_name) {
+    if let Some(found) = by_number.or_else(by_name).or_else(by_part) {
         return Ok(probes.swap_remove(found));
     }
     if probes.is_empty() {

@@ -1,6 +1,7 @@
 //! What a remembered measurement depends on: the device, its driver, and the program's shaders.
 
 use super::gpu::Gpu;
+use crate::hash;
 use serde::{Deserialize, Serialize};
 
 /// Everything that a measurement on a device depends on. If any of it has changed, what is
@@ -37,5 +38,25 @@ impl Identity {
             subgroup_ballot: probe.subgroup_ballot,
             half_storage: gpu.half_storage,
         }
+    }
+
+    /// Whether it is that of this device, as it was opened.
+    pub fn is_of(&self, gpu: &Gpu) -> bool {
+        *self == Self::new(gpu, self.shaders)
+    }
+
+    /// A hash of what tells devices, and ways to open one, apart. It stays the same when the driver
+    /// or the program changes.
+    pub fn device_hash(&self) -> u64 {
+        let [least, most] = self.subgroup_sizes.unwrap_or_default();
+        let numbers = [
+            self.subgroup_size,
+            least,
+            most,
+            self.subgroup_ballot.into(),
+            self.half_storage.into(),
+        ];
+        let numbers = numbers.iter().flat_map(|number| number.to_le_bytes());
+        hash::extend(hash::EMPTY, self.device.bytes().chain(numbers))
     }
 }

@@ -14,7 +14,7 @@ struct Identified<C> {
     content: C,
 }
 
-/// The file, one a device and driver build. Every failure to read or write it only costs the time
+/// The file, one for a device and driver build as it is opened. Every failure to read or write it only costs the time
 /// of finding out again: a file that is cut, or of another device, driver or program, is as none.
 pub(crate) struct RecordFile {
     path: Option<PathBuf>,
@@ -26,10 +26,19 @@ impl RecordFile {
     /// modules that the content is about.
     pub fn new(gpu: &Gpu, folder: Option<&Path>, name: &str, shaders: u64) -> Self {
         let key = gpu.probe.cache_key();
+        let identity = Identity::new(gpu, shaders);
+        // Two devices may share both UUIDs, and one device may be opened in two ways: neither must
+        // write over what was found about the other.
+        let device = identity.device_hash();
         Self {
-            path: folder.map(|folder| folder.join(format!("{name}-{key}.json"))),
-            identity: Identity::new(gpu, shaders),
+            path: folder.map(|folder| folder.join(format!("{name}-{key}-{device:016x}.json"))),
+            identity,
         }
+    }
+
+    /// Whether it is about this device, as it was opened.
+    pub fn is_of(&self, gpu: &Gpu) -> bool {
+        self.identity.is_of(gpu)
     }
 
     /// The content; its default where there is none.

@@ -30,7 +30,7 @@ use super::{
         resolved, tile_kernel,
     },
     sort::{Sort, SortOptions, choice},
-    tuning::{Record, Tuning, Workload, device_lives, is_of_the_workload},
+    tuning::{Record, Tuning, Workload, device_lives, may_pass},
 };
 use crate::ndk::section;
 use ash::vk;
@@ -153,13 +153,14 @@ impl Renderer {
                 ..renderer
             }),
             Err(error) if tuning.best == tuning.safest => Err(error),
-            // The safest may need less.
-            Err(error) if is_of_the_workload(&error) => Self::with(gpu, prepared, options),
             Err(error) => {
-                record.strike_off(&tuning, &error.to_string());
+                if !may_pass(&error, gpu.probe.is_cpu()) {
+                    record.strike_off(&tuning, &error.to_string());
+                }
                 if !device_lives(&error) {
                     return Err(error);
                 }
+                // The safest may also need less memory.
                 Self::with(gpu, prepared, options)
             }
         }

@@ -93,6 +93,11 @@ impl Record {
         Self::new(gpu, cache::folder().as_deref())
     }
 
+    /// Whether it is about this device, as it was opened.
+    pub fn is_of(&self, gpu: &Gpu) -> bool {
+        self.file.is_of(gpu)
+    }
+
     /// What was measured of every workload.
     pub fn tunings(&self) -> Vec<Tuning> {
         self.content().tunings

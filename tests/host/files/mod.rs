@@ -215,6 +215,26 @@ fn a_failed_write_leaves_the_old_file_and_nothing_else() {
     );
 }
 
+fn a_file_that_two_threads_write_is_always_of_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("file");
+    let whole = |byte: u8| vec![byte; 100_000];
+    std::thread::scope(|scope| {
+        for byte in [1, 2] {
+            let path = &path;
+            scope.spawn(move || {
+                for _ in 0..40 {
+                    effigy_core::io::file::write_whole(path, &whole(byte)).unwrap();
+                    let read = std::fs::read(path).unwrap();
+                    assert!(read == whole(1) || read == whole(2), "a mixture");
+                }
+            });
+        }
+    });
+    let files = std::fs::read_dir(folder.path()).unwrap().count();
+    assert_eq!(files, 1, "parts are left");
+}
+
 fn an_avatar_whose_layers_do_not_fit_is_not_written() {
     let mut avatar = tiny();
     avatar.networks.layers[1].input = 4;
@@ -291,6 +311,7 @@ tests! {
     what_a_later_program_adds_is_ignored,
     a_missing_file_a_folder_and_an_empty_file_are_named,
     a_failed_write_leaves_the_old_file_and_nothing_else,
+    a_file_that_two_threads_write_is_always_of_one,
     an_avatar_whose_layers_do_not_fit_is_not_written,
     inspect_says_what_both_kinds_of_file_hold,
     inspect_refuses_a_cut_file_in_one_line,

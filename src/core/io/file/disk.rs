@@ -4,6 +4,7 @@ use super::error::{FileError, FormatError};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Maps a file and decodes it.
 pub fn read_with<T>(
@@ -68,9 +69,12 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 /// # Errors
 /// When the file cannot be written. A file that was at `path` is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // Two threads may write the same file: each has a part of its own.
+    static WRITES: AtomicU64 = AtomicU64::new(0);
+    let write = WRITES.fetch_add(1, Ordering::Relaxed);
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.part", std::process::id()));
+    name.push(format!(".{}.{write}.part", std::process::id()));
     let part = path.with_file_name(name);
     let outcome = write_synced(&part, bytes).and_then(|()| fs::rename(&part, path));
     if outcome.is_err() {
