@@ -11,7 +11,9 @@ layout(std430, set = 0, binding = 1) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 2) buffer Bins { uint bins[]; };
 #include "common/bins.glsl"
 
-shared uint totals[BIN_SIDES];
+// Pairs of all blocks, low and high halves apart: together they may not fit a word.
+shared uint low[BIN_SIDES];
+shared uint high[BIN_SIDES];
 // Pairs of the blocks of each invocation, and then of it and all before it.
 shared uint sums[BIN_WORKGROUP];
 
@@ -19,7 +21,8 @@ void main() {
     uint thread = gl_LocalInvocationID.x;
     uint blocks = (control.visible_count + BIN_BLOCK - 1u) / BIN_BLOCK;
     for (uint k = thread; k < BIN_SIDES; k += BIN_WORKGROUP) {
-        totals[k] = 0u;
+        low[k] = 0u;
+        high[k] = 0u;
     }
     barrier();
     uint own[BIN_SIDES];
@@ -29,17 +32,21 @@ void main() {
     // All sides of a block together: one after another, each read would wait for memory.
     for (uint block = thread; block < blocks; block += BIN_WORKGROUP) {
         for (uint k = 0u; k < BIN_SIDES; ++k) {
-            own[k] += bins[COUNTS_START + block * BIN_SIDES + k];
+            // More than fit stay more than fit.
+            own[k] = min(own[k] + bins[COUNTS_START + block * BIN_SIDES + k], PAIR_CAPACITY + 1u);
         }
     }
     for (uint k = 0u; k < BIN_SIDES; ++k) {
-        // A sum that overflows is no sum that fits.
-        atomicAdd(totals[k], min(own[k], (1u << 24u) - 1u));
+        atomicAdd(low[k], own[k] & 0xffffu);
+        atomicAdd(high[k], own[k] >> 16u);
     }
     barrier();
     uint shift = BIN_SIDES - 1u;
     for (uint k = BIN_SIDES; k > 0u; --k) {
-        shift = totals[k - 1u] <= PAIR_CAPACITY ? k - 1u : shift;
+        uint upper = high[k - 1u] + (low[k - 1u] >> 16u);
+        bool fits = upper < 1u << 16u &&
+                    (upper << 16u | (low[k - 1u] & 0xffffu)) <= PAIR_CAPACITY;
+        shift = fits ? k - 1u : shift;
     }
     uint run = (blocks + BIN_WORKGROUP - 1u) / BIN_WORKGROUP;
     uint first = min(thread * run, blocks), end = min(first + run, blocks);

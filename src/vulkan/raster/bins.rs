@@ -3,7 +3,11 @@
 
 use super::draw::RasterInputs;
 use crate::vulkan::{
-    device::{error::Result, gpu::Gpu, recording::Recording},
+    device::{
+        error::{Error, Result},
+        gpu::Gpu,
+        recording::Recording,
+    },
     memory::{Buffer, Replacement, Scope, Slice},
     pipeline::{
         Kernel, Launch, Resources,
@@ -14,7 +18,7 @@ use crate::vulkan::{
 use ash::vk;
 use effigy_core::{
     frame::KeyBits,
-    layout::{BIN_WORKGROUP, BinLayout, BinLists, Control, bin_count},
+    layout::{BIN_BLOCK, BIN_WORKGROUP, BinLayout, BinLists, Control, bin_count},
 };
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -35,6 +39,17 @@ impl Bins {
     /// `margin`: how far outside a bin a splat's box may lie and still be in its list, px.
     pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, margin: f64) -> Result<Self> {
         let layout = BinLayout::new(inputs.capacity);
+        let limit = gpu.probe.limits.max_compute_work_group_count[0];
+        if layout.blocks > limit {
+            // A splat has 16 bytes.
+            let splats = |blocks: u32| 16 * u64::from(blocks) * u64::from(BIN_BLOCK);
+            return Err(Error::TooLarge {
+                what: "splats in bins",
+                found: splats(layout.blocks),
+                limit: splats(limit),
+                device: gpu.probe.name.clone(),
+            });
+        }
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;

@@ -156,9 +156,15 @@ impl Tiles {
     pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
         let launch = launch(&self.gpu, tile_kernel(options, &self.gpu));
         let constants = constants(&self.lists, options);
-        for target in std::iter::once(&mut self.target).chain(&mut self.atlas) {
+        // All before any: a failure leaves both as they are.
+        let targets = std::iter::once(&self.target).chain(&self.atlas);
+        let pipelines: Vec<_> = targets
+            .map(|target| target.kernel.specialized(&constants, launch))
+            .collect::<Result<_>>()?;
+        let targets = std::iter::once(&mut self.target).chain(&mut self.atlas);
+        for (target, pipeline) in targets.zip(pipelines) {
             // SAFETY: the caller promises that no work uses the kernel.
-            unsafe { target.kernel.specialize(&constants, launch) }?;
+            unsafe { target.kernel.adopt(pipeline) };
         }
         self.options = *options;
         Ok(())
