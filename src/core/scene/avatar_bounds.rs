@@ -526,18 +526,22 @@ pub fn enlargement(joints: &[DAffine3]) -> f64 {
 
 /// [`MARGIN`] as the joints enlarge it, at most, metres.
 fn margin(joints: &[DAffine3]) -> f64 {
-    let columns = joints.iter().flat_map(|joint| {
-        [
+    // The largest eigenvalue of MᵀM is at most the largest sum of a row of its magnitudes
+    // (Gershgorin), and equal to it where the columns are orthogonal.
+    let squares = joints.iter().flat_map(|joint| {
+        let [x, y, z] = [
             joint.matrix3.x_axis,
             joint.matrix3.y_axis,
             joint.matrix3.z_axis,
+        ];
+        let [xy, yz, zx] = [x.dot(y).abs(), y.dot(z).abs(), z.dot(x).abs()];
+        [
+            x.length_squared() + xy + zx,
+            y.length_squared() + xy + yz,
+            z.length_squared() + yz + zx,
         ]
     });
-    MARGIN
-        * columns
-            .map(|column| column.length_squared())
-            .fold(0.0, f64::max)
-            .sqrt()
+    MARGIN * squares.fold(0.0, f64::max).sqrt()
 }
 
 #[cfg(test)]
@@ -736,5 +740,26 @@ mod tests {
             }
         }
         assert!(seen.iter().all(|&scenes| scenes > 200), "{seen:?}");
+    }
+
+    #[test]
+    fn no_direction_is_enlarged_by_more_than_is_said() {
+        let random = &mut Random::new(11, 0);
+        for _ in 0..200 {
+            let mut column = || point(random, 1.0);
+            let sheared = DMat3::from_cols(column(), column(), column());
+            let said = enlargement(&[DAffine3::from_mat3(sheared)]);
+            let most = (0..200)
+                .map(|_| (sheared * point(random, 1.0).normalize()).length())
+                .fold(0.0, f64::max);
+            assert!(most <= said * (1.0 + 1e-12), "{most} of {said}");
+        }
+        let turned = DMat3::from_quat(DQuat::from_rotation_x(0.7) * DQuat::from_rotation_z(2.0));
+        let scaled = turned * DMat3::from_diagonal(DVec3::new(0.5, 2.0, 1.0));
+        let said = enlargement(&[DAffine3::from_mat3(scaled)]);
+        assert!(
+            (said - 2.0).abs() < 1e-9,
+            "{said} where columns are orthogonal"
+        );
     }
 }

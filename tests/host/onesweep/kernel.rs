@@ -12,10 +12,8 @@ pub const DIGITS: usize = SORT_DIGITS as usize;
 const ROUNDS: usize = TILE / THREADS;
 pub const COLUMNS: usize = 16;
 const WORDS: usize = DIGITS / 2;
-/// Earlier tiles whose counts are read at a time: as on a GPU that is a card of its own.
-const LOOK: usize = 8;
 /// Invocations whose sums one of them adds up.
-const BLOCK: usize = 16;
+pub const BLOCK: usize = 16;
 const COUNTED: u32 = 1 << 30;
 const SUMMED: u32 = 2 << 30;
 const NUMBER: u32 = COUNTED - 1;
@@ -29,6 +27,8 @@ pub struct Pass {
     pub entry: Words,
     pub sorted: Words,
     pub counts: Words,
+    /// Earlier tiles whose counts are read at a time.
+    pub look: usize,
     /// Whether more subgroups than columns take turns; without, the kernel is made for few.
     pub takes_turns: bool,
 }
@@ -74,7 +74,7 @@ impl Run<'_> {
     async fn look_back(&self, digit: usize, walk: &mut usize, before: &mut u32) {
         let mut polls = 0;
         while *walk > 0 {
-            let mut words = [0; LOOK];
+            let mut words = vec![0; self.pass.look];
             for (w, word) in words.iter_mut().enumerate() {
                 if w < *walk {
                     let at = STATUS + (*walk - 1 - w) * DIGITS + digit;

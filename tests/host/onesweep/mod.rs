@@ -6,7 +6,7 @@ mod kernel;
 mod machine;
 
 use effigy_core::random::Random;
-use kernel::{COLUMNS, DIGITS, HISTOGRAM, Pass, Run, STATUS, Shared, TILE};
+use kernel::{BLOCK, COLUMNS, DIGITS, HISTOGRAM, Pass, Run, STATUS, Shared, TILE};
 use machine::{Device, Words};
 use std::{
     cell::Cell,
@@ -14,6 +14,8 @@ use std::{
 };
 
 const WIDTHS: [usize; 6] = [4, 8, 16, 32, 64, 128];
+/// Earlier tiles that are read at a time: on CPUs, on GPUs beside a CPU, and on cards.
+const LOOKS: [usize; 3] = [1, 4, 8];
 
 /// What became of a pass.
 struct Sorted {
@@ -35,6 +37,7 @@ fn sort(device: Device, entries: usize, takes_turns: bool) -> Sorted {
         entry: words(&keys),
         sorted: words(&vec![u32::MAX; entries]),
         counts: words(&vec![0; STATUS + tiles * DIGITS]),
+        look: LOOKS[device.seed as usize % LOOKS.len()],
         takes_turns,
     };
     for key in &keys {
@@ -123,8 +126,24 @@ fn memory_for_fewer_subgroups_is_found() {
 
 fn its_constants_are_the_kernels() {
     let kernel = include_str!("../../../shaders/sort/onesweep.comp");
-    let columns = format!("const uint COLUMNS = {COLUMNS}u;");
-    assert!(kernel.contains(&columns), "no `{columns}`");
+    let offsets = include_str!("../../../shaders/sort/offsets.glsl");
+    for (source, line) in [
+        (kernel, format!("const uint COLUMNS = {COLUMNS}u;")),
+        (
+            kernel,
+            "const uint COUNTED = 1u << 30u, SUMMED = 2u << 30u, NUMBER = COUNTED - 1u;".into(),
+        ),
+        (
+            kernel,
+            "const uint ROUNDS = SORT_ONESWEEP_TILE / THREADS;".into(),
+        ),
+        (
+            offsets,
+            format!("const uint BLOCK = THREADS < {BLOCK}u ? THREADS : {BLOCK}u;"),
+        ),
+    ] {
+        assert!(source.contains(&line), "no `{line}`");
+    }
 }
 
 tests! {
