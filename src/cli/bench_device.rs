@@ -18,7 +18,7 @@ pub struct Args {
     #[arg(long, value_name = "WxH", value_parser = options::size, default_value = "2048x2048")]
     size: [u32; 2],
     /// Largest copy, MiB
-    #[arg(long, value_name = "MIB", default_value_t = 256, value_parser = options::count(1, 4096))]
+    #[arg(long, value_name = "MIB", default_value_t = 256, value_parser = options::count(1, 256))]
     max_copy: usize,
     /// Least time of a measurement, milliseconds
     #[arg(long, value_name = "MS", default_value_t = 20, value_parser = options::count(1, 10_000))]

@@ -33,7 +33,7 @@ pub struct Args {
     #[arg(long, alias = "largest", value_name = "N", default_value_t = 1 << 24, value_parser = clap::value_parser!(u32).range(1..1 << 30))]
     max_keys: u32,
     /// Bits of the keys, separated by commas
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "16,24,32")]
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "16,22,32")]
     keys: Vec<KeysArg>,
     /// Sort variants, separated by commas [default: all that the device can run]
     #[arg(long, value_enum, value_delimiter = ',')]

@@ -21,7 +21,7 @@ const PRINTED_FAILURES: usize = 20;
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Cases to draw
-    #[arg(long, value_name = "N", default_value_t = 2000)]
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..))]
     cases: u64,
     /// Number of the first case
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -73,10 +73,17 @@ fn run_one(args: &Args, gpu: &Arc<Gpu>, number: u64) -> anyhow::Result<()> {
 }
 
 fn run_all(args: &Args, gpu: &Arc<Gpu>) -> anyhow::Result<()> {
+    let end = args.first.checked_add(args.cases).with_context(|| {
+        let most = u64::MAX;
+        format!(
+            "--first {} and --cases {}: found a sum above {most}",
+            args.first, args.cases
+        )
+    })?;
     let bar = progress::items(args.cases, "cases");
     let settings = StressSettings {
         seed: args.seed,
-        cases: args.first..args.first.saturating_add(args.cases),
+        cases: args.first..end,
         large: args.large,
     };
     let report = stress::run(gpu, &settings, &mut |done, _, failed| {

@@ -24,7 +24,7 @@ pub struct RendererOptions {
     pub method: Option<RasterMethod>,
     /// The kernel of [`RasterMethod::Tiles`]. None: the one recommended for the device.
     pub kernel: Option<TileKernel>,
-    /// Width of the sort keys. None: 24 with Vulkan, 16 with WebGPU, which has no others.
+    /// Width of the sort keys. None: 22 bits with Vulkan, 16 with WebGPU, which has no others.
     pub key_bits: Option<KeyBits>,
     /// How to sort. None: the fastest variant that passes the device's self-test.
     pub sort: Option<SortVariant>,
