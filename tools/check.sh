@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What to run before others see a change, in three tiers.
 # usage: tools/check.sh quick|gate|full
-#   quick  format, lints, tests without a device but for the long ones, ten smoke tests on one driver
+#   quick  format, lints, tests without a device but for the long ones, twelve smoke tests on one driver
 #          (EFFIGY_CHECK_DRIVER, default mesa25:256): under two minutes after a change of one line
 #   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits, all that
 #          draw on SwiftShader, the stages at 128 and 512 bits, commands of the README and the guides, the examples, the
