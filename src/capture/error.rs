@@ -61,7 +61,11 @@ fn reasons(left_out: &[LeftOut]) -> String {
 }
 
 /// A file breaks a rule.
-pub fn content(file: &Path, found: impl ToString, expected: impl ToString) -> CaptureError {
+pub fn content(
+    file: &Path,
+    found: impl std::fmt::Display,
+    expected: impl ToString,
+) -> CaptureError {
     fault(file, FormatError::container(found, expected))
 }
 

@@ -4,44 +4,75 @@ use anyhow::Context;
 use effigy::vulkan::tuning::Record;
 use std::{
     sync::{
-        Arc,
-        atomic::{AtomicBool, Ordering},
+        Arc, OnceLock,
+        atomic::{AtomicBool, AtomicUsize, Ordering},
         mpsc::{self, RecvTimeoutError},
     },
     time::Duration,
 };
 
-/// How often [`Interrupts::excuse`] looks at the flag.
-const LOOKS_EVERY: Duration = Duration::from_millis(50);
+/// How often [`Interrupts::excuse`] looks whether a signal came.
+const LOOKS_EVERY: Duration = Duration::from_millis(10);
 
-/// A flag that Ctrl-C, SIGTERM and a closed terminal set. A second Ctrl-C ends the program at once.
+/// A flag that signals set.
 pub struct Interrupts {
     stop: Arc<AtomicBool>,
-    /// Set where the signals end the program again as they do by default.
+    /// The signal that came last; 0 before one.
+    signal: Arc<AtomicUsize>,
+    /// Set while the signals end the program as they do by default.
     as_usual: Arc<AtomicBool>,
 }
 
 impl Interrupts {
-    /// Listens from now on.
+    /// Ctrl-C, SIGTERM and a closed terminal set the flag from now on. A second Ctrl-C ends the
+    /// program at once.
     pub fn listen() -> anyhow::Result<Self> {
-        let stop = Arc::new(AtomicBool::new(false));
-        let as_usual = Arc::new(AtomicBool::new(false));
+        let new = Self::new(false);
         #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
         {
             use signal_hook::{
                 consts::{SIGHUP, SIGINT, SIGTERM},
                 flag,
             };
-            let failed = "Ctrl-C can't be listened to";
-            for signal in [SIGINT, SIGTERM, SIGHUP] {
-                flag::register_conditional_default(signal, as_usual.clone()).context(failed)?;
-            }
-            flag::register_conditional_shutdown(SIGINT, EXIT_CODE, stop.clone()).context(failed)?;
-            for signal in [SIGINT, SIGTERM, SIGHUP] {
-                flag::register(signal, stop.clone()).context(failed)?;
-            }
+            flag::register_conditional_shutdown(SIGINT, 130, new.stop.clone()).context(FAILED)?;
+            new.register(&[SIGINT, SIGTERM, SIGHUP])?;
         }
-        Ok(Self { stop, as_usual })
+        Ok(new)
+    }
+
+    /// For commands with no end of their own: Ctrl-C and SIGTERM end the program as they do by
+    /// default, but within [`Self::excuse`]. One for the whole program, since what listens to a
+    /// signal listens for ever. A closed terminal is left to `nohup`.
+    pub fn of_trials() -> anyhow::Result<&'static Self> {
+        static OF_TRIALS: OnceLock<Interrupts> = OnceLock::new();
+        if let Some(of_trials) = OF_TRIALS.get() {
+            return Ok(of_trials);
+        }
+        let new = Self::new(true);
+        #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
+        new.register(&[signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM])?;
+        Ok(OF_TRIALS.get_or_init(|| new))
+    }
+
+    fn new(as_usual: bool) -> Self {
+        Self {
+            stop: Arc::default(),
+            signal: Arc::default(),
+            as_usual: Arc::new(as_usual.into()),
+        }
+    }
+
+    #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
+    fn register(&self, signals: &[i32]) -> anyhow::Result<()> {
+        use signal_hook::flag;
+        for &signal in signals {
+            let as_usual = self.as_usual.clone();
+            flag::register_conditional_default(signal, as_usual).context(FAILED)?;
+            let number = self.signal.clone();
+            flag::register_usize(signal, number, signal as usize).context(FAILED)?;
+            flag::register(signal, self.stop.clone()).context(FAILED)?;
+        }
+        Ok(())
     }
 
     /// The flag.
@@ -49,41 +80,56 @@ impl Interrupts {
         &self.stop
     }
 
-    /// From now on the signals end the program as they do by default.
-    pub fn end_as_usual(&self) {
-        self.as_usual.store(true, Ordering::Relaxed);
-    }
-
     /// Has ways to draw timed. If a signal comes meanwhile the program ends, whatever the driver is
     /// at, and the way under trial is not to blame for it.
     pub fn excuse<T>(&self, record: &Record, time: impl FnOnce(&Record) -> T) -> T {
+        let _usual = AsBefore {
+            before: self.as_usual.swap(false, Ordering::SeqCst),
+            interrupts: self,
+        };
         std::thread::scope(|scope| {
             // Closed when the trials end, by a panic too.
-            let (ended, end) = mpsc::channel::<()>();
+            let (_trials, ended) = mpsc::channel::<()>();
             scope.spawn(move || {
-                while end.recv_timeout(LOOKS_EVERY) == Err(RecvTimeoutError::Timeout) {
-                    if self.stop.load(Ordering::Relaxed) {
+                while ended.recv_timeout(LOOKS_EVERY) == Err(RecvTimeoutError::Timeout) {
+                    if self.stop.load(Ordering::SeqCst) {
                         record.withdraw();
-                        leave();
+                        self.leave();
                     }
                 }
             });
-            let timed = time(record);
-            drop(ended);
-            timed
+            time(record)
         })
+    }
+
+    /// Ends the program as its last signal does by default: no exit handler of a driver that still
+    /// compiles is run.
+    fn leave(&self) {
+        #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
+        {
+            let signal = self.signal.load(Ordering::SeqCst) as i32;
+            signal_hook::low_level::emulate_default_handler(signal).ok();
+            signal_hook::low_level::exit(128 + signal);
+        }
     }
 }
 
-/// What a shell says of a program that Ctrl-C ended.
-#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
-const EXIT_CODE: i32 = 130;
-
-/// Ends the program at once: a driver that compiles meanwhile must not run its own exit handlers.
-#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
-fn leave() {
-    signal_hook::low_level::exit(EXIT_CODE);
+/// Has signals do again what they did before the trials.
+struct AsBefore<'a> {
+    before: bool,
+    interrupts: &'a Interrupts,
 }
 
-#[cfg(any(target_arch = "wasm32", target_os = "android"))]
-fn leave() {}
+impl Drop for AsBefore<'_> {
+    fn drop(&mut self) {
+        let as_usual = &self.interrupts.as_usual;
+        as_usual.store(self.before, Ordering::SeqCst);
+        // One that came as the trials ended, and that nobody would look at.
+        if self.before && self.interrupts.stop.load(Ordering::SeqCst) {
+            self.interrupts.leave();
+        }
+    }
+}
+
+#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
+const FAILED: &str = "Ctrl-C can't be listened to";

@@ -66,7 +66,14 @@ impl Line<'_> {
 /// # Errors
 /// When the hierarchy is malformed, a number is none, or there is no whole frame.
 pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
-    let text = String::from_utf8_lossy(bytes);
+    // Names may be in any encoding. What is no UTF-8 becomes ASCII, which takes no more room.
+    let mut text = String::with_capacity(bytes.len());
+    for chunk in bytes.utf8_chunks() {
+        text.push_str(chunk.valid());
+        if !chunk.invalid().is_empty() {
+            text.push('?');
+        }
+    }
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     // Old programs end lines by a carriage return alone.
     let end = if text.contains('\n') { '\n' } else { '\r' };

@@ -258,13 +258,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let options = job.setting.options;
     job.setting.options = match gpu.vulkan() {
         Some(gpu) => {
-            let stop = Interrupts::listen()?;
             let mut show = |candidate: &_| bar.set_message(format!("trying {candidate}"));
-            let tuned = stop.excuse(&Record::of_device(gpu), |record| {
+            Interrupts::of_trials()?.excuse(&Record::of_device(gpu), |record| {
                 trials::tune(gpu, record, &avatar, player, options, &mut show)
-            })?;
-            stop.end_as_usual();
-            tuned
+            })?
         }
         // It has nothing to choose from.
         None => gpu.resolve(options),

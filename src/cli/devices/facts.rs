@@ -143,8 +143,7 @@ fn measured(
     let bar = progress::tuning();
     let options = RendererOptions::new(DEMO_SIZE);
     let mut kept = Ok(());
-    let stop = Interrupts::listen()?;
-    let tuning = stop.excuse(&record, |record| {
+    let tuning = Interrupts::of_trials()?.excuse(&record, |record| {
         let mut show = |candidate: &_| {
             bar.set_message(format!("trying {candidate}"));
             if kept.is_ok() {
@@ -153,7 +152,6 @@ fn measured(
         };
         trials::measure(&gpu, record, &avatar, &player, options, &mut show)
     })?;
-    stop.end_as_usual();
     bar.finish_and_clear();
     kept?;
     let mut tunings = known;

@@ -45,8 +45,7 @@ impl Identity {
         *self == Self::new(gpu, self.shaders)
     }
 
-    /// A hash of what tells devices, and ways to open one, apart. It stays the same when the driver
-    /// or the program changes.
+    /// A hash of what tells devices, and ways to open one, apart: not of versions.
     pub fn device_hash(&self) -> u64 {
         let [least, most] = self.subgroup_sizes.unwrap_or_default();
         let numbers = [

@@ -41,7 +41,7 @@ impl Bins {
         let layout = BinLayout::new(inputs.capacity);
         let limit = gpu.probe.limits.max_compute_work_group_count[0];
         if layout.blocks > limit {
-            // A splat has 16 bytes.
+            // A limit of workgroups, said in the 16 bytes of each splat.
             let splats = |blocks: u32| 16 * u64::from(blocks) * u64::from(BIN_BLOCK);
             return Err(Error::TooLarge {
                 what: "splats in bins",

@@ -1,5 +1,5 @@
-//! The file that remembers what measurements found: one a device and driver, in the program's cache
-//! folder.
+//! The file that remembers what measurements found: one for each device and way to open it, in the
+//! program's cache folder.
 
 use super::{
     candidate::{Axis, Candidate, Workload},

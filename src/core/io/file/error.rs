@@ -1,5 +1,6 @@
 //! Errors of reading and writing files.
 
+use std::fmt::{self, Display, Write};
 use std::io;
 use std::path::PathBuf;
 
@@ -101,11 +102,39 @@ impl FormatError {
     }
 
     /// The container is not as its format says.
-    pub fn container(found: impl ToString, expected: impl ToString) -> Self {
+    pub fn container(found: impl Display, expected: impl ToString) -> Self {
         Self::Container {
-            found: found.to_string(),
+            found: Beginning::of(found),
             expected: expected.to_string(),
         }
+    }
+}
+
+/// Collects the beginning of what is written to it. What a parser found may be a file's only text.
+#[derive(Default)]
+struct Beginning(String);
+
+impl Beginning {
+    /// More than any message has.
+    const BYTES: usize = 2000;
+
+    fn of(found: impl Display) -> String {
+        let mut beginning = Self::default();
+        // An error says that the rest is left out.
+        write!(beginning, "{found}").ok();
+        beginning.0
+    }
+}
+
+impl Write for Beginning {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let room = Self::BYTES.saturating_sub(self.0.len());
+        let end = text.floor_char_boundary(room);
+        self.0.push_str(&text[..end]);
+        if end < text.len() {
+            return Err(fmt::Error);
+        }
+        Ok(())
     }
 }
 
