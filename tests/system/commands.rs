@@ -66,6 +66,8 @@ fn read_image(path: &Path) -> effigy_core::scene::FrameImage {
 }
 
 fn render_writes_the_demo_as_the_reference_draws_it() {
+    // Without triangles a small avatar is drawn as large as it is shown.
+    gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     works(
         folder.path(),
@@ -94,6 +96,8 @@ fn render_writes_the_demo_as_the_reference_draws_it() {
 }
 
 fn render_draws_several_as_the_reference_does() {
+    // Without triangles a small avatar is drawn as large as it is shown.
+    gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
     let what = "render small.avatar --motion small.motion --size 240x160 --time 0.4 --yaw 60";
@@ -147,6 +151,8 @@ fn json(path: &Path) -> serde_json::Value {
 }
 
 fn bench_writes_what_it_measured_of_every_case() {
+    // Without triangles a small avatar is drawn as large as it is shown.
+    gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
     let what = "small.avatar --motion small.motion --size 160x160 --frames 13 --check 1";
@@ -329,6 +335,8 @@ fn a_sweep_draws_time_against_error() {
 }
 
 fn bench_measures_what_flickers() {
+    // Without triangles a small avatar is drawn as large as it is shown.
+    gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
     let what = "small.avatar --motion small.motion --spread 0 --json out.json --csv out.csv";
@@ -462,6 +470,8 @@ fn bench_finds_the_worst_of_many_poses_and_views() {
 }
 
 fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
+    // Without triangles a small avatar is drawn as large as it is shown.
+    gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     works(
         folder.path(),
