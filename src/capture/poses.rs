@@ -96,7 +96,7 @@ fn is_within(number: f64, most: f64) -> bool {
     number.abs() <= most
 }
 
-fn metadata(name: &str, found: impl ToString, expected: impl ToString) -> FormatError {
+fn metadata(name: &str, found: impl std::fmt::Display, expected: impl ToString) -> FormatError {
     FormatError::metadata(name, found, expected)
 }
 

@@ -21,7 +21,12 @@ const PRINTED_FAILURES: usize = 20;
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Cases to draw
-    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 2000,
+        value_parser = clap::value_parser!(u64).range(1..)
+    )]
     cases: u64,
     /// Number of the first case
     #[arg(long, value_name = "N", default_value_t = 0)]

@@ -11,7 +11,7 @@ use crate::{
 };
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3, Vec3};
-use std::ops::RangeInclusive;
+use std::{borrow::Cow, ops::RangeInclusive};
 
 /// Whether bytes begin as a BVH file does.
 pub fn is_bvh(bytes: &[u8]) -> bool {
@@ -58,6 +58,22 @@ impl Line<'_> {
     }
 }
 
+/// The text of a file, whose names may be in any encoding. What is no UTF-8 becomes ASCII, which
+/// takes no more room.
+fn readable(bytes: &[u8]) -> Cow<'_, str> {
+    if let Ok(text) = str::from_utf8(bytes) {
+        return text.into();
+    }
+    let mut text = String::with_capacity(bytes.len());
+    for chunk in bytes.utf8_chunks() {
+        text.push_str(chunk.valid());
+        if !chunk.invalid().is_empty() {
+            text.push('?');
+        }
+    }
+    text.into()
+}
+
 /// Reads a file.
 ///
 /// Position channels replace a joint's offset. Joints whose position channels are zero throughout
@@ -66,14 +82,7 @@ impl Line<'_> {
 /// # Errors
 /// When the hierarchy is malformed, a number is none, or there is no whole frame.
 pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
-    // Names may be in any encoding. What is no UTF-8 becomes ASCII, which takes no more room.
-    let mut text = String::with_capacity(bytes.len());
-    for chunk in bytes.utf8_chunks() {
-        text.push_str(chunk.valid());
-        if !chunk.invalid().is_empty() {
-            text.push('?');
-        }
-    }
+    let text = readable(bytes);
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     // Old programs end lines by a carriage return alone.
     let end = if text.contains('\n') { '\n' } else { '\r' };

@@ -133,7 +133,8 @@ impl Trials for Driver {
     fn image(&mut self, candidate: &mut Candidate) -> Result<TrialImage> {
         // One lost pixel of so many is 57 dB.
         let side = 400;
-        let body = [[0.5, 0.4, 0.3, 1.0]].repeat(side * (side - 1));
+        let covered = side * (side - 1);
+        let body = [[0.5, 0.4, 0.3, 1.0]].repeat(covered);
         let mut image = FrameImage {
             size: [side as u32; 2],
             pixels: [body, vec![[0.0; 4]; side]].concat(),
@@ -150,9 +151,7 @@ impl Trials for Driver {
             Some(Fault::Miscompiles) => image.pixels[7] = [0.0; 4],
             Some(Fault::Glows) => image.pixels[last] = [0.9, 0.0, 0.0, 0.0],
             Some(Fault::Garbles) => image.pixels[last][3] = f32::NAN,
-            Some(Fault::Rounds) => {
-                image.pixels[..side * (side - 1)].fill([0.502, 0.402, 0.302, 0.998]);
-            }
+            Some(Fault::Rounds) => image.pixels[..covered].fill([0.502, 0.402, 0.302, 0.998]),
             _ => {}
         }
         let ms = self.frame_ms(candidate);

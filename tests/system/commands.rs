@@ -66,7 +66,6 @@ fn read_image(path: &Path) -> effigy_core::scene::FrameImage {
 }
 
 fn render_writes_the_demo_as_the_reference_draws_it() {
-    // Without triangles a small avatar is drawn as large as it is shown.
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     works(
@@ -96,7 +95,6 @@ fn render_writes_the_demo_as_the_reference_draws_it() {
 }
 
 fn render_draws_several_as_the_reference_does() {
-    // Without triangles a small avatar is drawn as large as it is shown.
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
@@ -151,7 +149,6 @@ fn json(path: &Path) -> serde_json::Value {
 }
 
 fn bench_writes_what_it_measured_of_every_case() {
-    // Without triangles a small avatar is drawn as large as it is shown.
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
@@ -335,7 +332,6 @@ fn a_sweep_draws_time_against_error() {
 }
 
 fn bench_measures_what_flickers() {
-    // Without triangles a small avatar is drawn as large as it is shown.
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
@@ -470,7 +466,6 @@ fn bench_finds_the_worst_of_many_poses_and_views() {
 }
 
 fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
-    // Without triangles a small avatar is drawn as large as it is shown.
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     works(

@@ -14,8 +14,8 @@ struct Identified<C> {
     content: C,
 }
 
-/// The file: one for each driver build, device, and way to open it. Every failure to read or write it
-/// only costs the time of finding out again: a file that is cut, or of another device, driver or
+/// The file: one for each driver build, device, and way to open it. Every failure to read or write
+/// it only costs the time of finding out again: a file that is cut, or of another device, driver or
 /// program, is as none.
 pub(crate) struct RecordFile {
     path: Option<PathBuf>,

@@ -278,13 +278,14 @@ fn difference(best: &FrameImage, image: &FrameImage, axis: Axis) -> Option<Strin
     let is_right = db >= least && most <= RIGHT_MOST;
     (!is_right).then(|| {
         format!(
-            "its image is wrong: {db:.1} dB and {most:.2} at most, where {least} and {RIGHT_MOST} are right"
+            "its image is wrong: {db:.1} dB and {most:.2} at most, \
+             where {least} and {RIGHT_MOST} are right"
         )
     })
 }
 
-/// Whether an error says nothing of a candidate: it may not happen next time or with another avatar,
-/// the options or the avatar are at fault, or a CPU was busy.
+/// Whether an error says nothing of a candidate: it may not happen next time or with another
+/// avatar, the options or the avatar are at fault, or a CPU was busy.
 pub(crate) fn may_pass(error: &Error, is_cpu: bool) -> bool {
     match error {
         Error::OutOfMemory { .. }

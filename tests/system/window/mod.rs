@@ -220,12 +220,9 @@ fn an_avatar_that_does_not_fit_leaves_the_one_that_is_shown() {
         "what was shown before is not what it was"
     );
     session.key('a');
-    let changed = (0..600).any(|_| {
-        session.sleep(0.1);
-        session.read_image() != before
-    });
+    session.wait_for_other_image(&before);
     assert!(
-        changed && covered(&session.read_image(), BACKGROUND) > 1000,
+        covered(&session.read_image(), BACKGROUND) > 1000,
         "the other avatar is not shown where there is room for it"
     );
     session.quit();
@@ -253,15 +250,12 @@ fn files_that_are_dropped_are_shown_and_the_ones_before_can_be_chosen_again() {
     session.wait_for_title("test body 2 – Effigy");
     session.wait_for_frames_after(frames);
     // The first of them may still be of the avatar before, while kernels are compiled.
-    let is_shown = (0..600).any(|_| {
-        session.sleep(0.1);
-        session.read_image() != moved
-    });
+    session.wait_for_other_image(&moved);
     session.key(' ');
     session.wait_for_rest();
     let other = session.read_image();
     assert!(
-        is_shown && covered(&other, BACKGROUND) > 1000,
+        other != moved && covered(&other, BACKGROUND) > 1000,
         "the avatar that was dropped is not shown"
     );
 
@@ -385,11 +379,7 @@ fn a_training_shows_what_it_has_learned_and_outlives_its_window() {
     session.wait_for_rest();
     // It stands still, so that only what is learned changes the image.
     let before = session.read_image();
-    let changed = (0..600).any(|_| {
-        session.sleep(0.1);
-        session.read_image() != before
-    });
-    assert!(changed, "nothing newer is shown");
+    session.wait_for_other_image(&before);
     session.key('q');
     session.wait_for_text("the training goes on");
     session.sleep(0.5);

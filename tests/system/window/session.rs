@@ -219,6 +219,13 @@ impl Session {
         });
     }
 
+    /// Waits until the window shows another image.
+    pub fn wait_for_other_image(&mut self, before: &RgbImage) {
+        self.wait("another image", |s| {
+            (s.read_image() != *before).then_some(())
+        });
+    }
+
     /// Waits for a frame of a size.
     pub fn wait_for_size(&mut self, [width, height]: [u32; 2]) {
         let ending = format!(", {width} × {height}");

@@ -68,10 +68,10 @@ pub enum FormatError {
 
 impl FormatError {
     /// A field of the document has a wrong value.
-    pub fn metadata(field: &str, found: impl ToString, expected: impl ToString) -> Self {
+    pub fn metadata(field: &str, found: impl Display, expected: impl ToString) -> Self {
         Self::Metadata {
             field: field.into(),
-            found: found.to_string(),
+            found: Beginning::of(found),
             expected: expected.to_string(),
         }
     }
