@@ -24,8 +24,9 @@ use x11rb::{
     rust_connection::RustConnection,
 };
 
-/// No wait takes longer: on a busy machine without a GPU a frame may take a second.
-const LIMIT: Duration = Duration::from_secs(60);
+/// No wait takes longer: on a busy machine without a GPU a frame may take a second, and Mesa 22
+/// compiles the kernels of a training for 140 s.
+const LIMIT: Duration = Duration::from_secs(240);
 /// Without a frame for so long, the viewer rests, seconds.
 const REST: f64 = 0.6;
 
