@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 package=1 play=1
 case ${1:-} in --package) play=''; shift ;; --play) package=''; shift ;; -*) usage >&2; exit 2 ;; esac
 seeds=${1:-8} orders=${2:-4} host=../shared/android-host
-most_apk=12000000 most_library=4600000
+most_apk=12000000 most_library=6000000
 at_most() { # BYTES FILE
   [ "$(stat -c %s "$2")" -le "$1" ] || { echo "$2 is larger than $1 bytes" >&2; exit 1; }
 }
