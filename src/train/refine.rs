@@ -300,7 +300,7 @@ impl Refinement {
         }
     }
 
-    /// The poses of all frames, as a clip. A capture has no rate: it gets [`CLIP_RATE`].
+    /// The poses of all frames, as a clip. A capture has no rate: it gets 30 frames a second.
     pub fn clip(&self, capture: &Capture, name: &str) -> Clip {
         let frames = capture.frames.iter().enumerate();
         let poses: Vec<Pose> = frames

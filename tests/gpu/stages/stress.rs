@@ -60,6 +60,14 @@ fn more_of_every_category_is_drawn_within_its_bounds() {
     cases(1, GpuOptions::headless(None), 1..3);
 }
 
+fn a_mean_may_leave_out_a_thin_share_of_a_texel() {
+    // The left edge of a pixel that is else empty takes 9e-5 of an opaque texel.
+    let [seed, number] = [61127001, 4953];
+    let device = gpu::gpu();
+    let case = StressCase::new(seed, number, false).for_device(&device.probe);
+    assert_eq!(stress::check_case(&device, &case).faults, [""; 0]);
+}
+
 fn the_least_device_is_as_stable() {
     cases(
         2,
@@ -287,6 +295,7 @@ fn views_that_are_no_numbers_are_answered_with_one_sentence() {
 tests! {
     every_category_is_drawn_within_its_bounds,
     more_of_every_category_is_drawn_within_its_bounds,
+    a_mean_may_leave_out_a_thin_share_of_a_texel,
     the_least_device_is_as_stable,
     pipelines_that_are_kept_change_no_bit,
     features_stay_finite_whatever_the_weights,

@@ -28,6 +28,8 @@ pub const SLACK: f64 = 1.01;
 const NOTHING: f64 = 4.0 * f32::EPSILON as f64;
 /// Roundings of f32 in a mean of up to 5 × 5 texels, and of the images that bounds are averaged in.
 const AVERAGE_ROUNDINGS: f64 = 64.0;
+/// A share of a texel up to this a device leaves out of a mean, px: NONE of `resolve.frag`.
+const NO_SHARE: f64 = 1e-3;
 /// A bound of at most this sees a fault of a tenth of a channel.
 const TIGHT: f64 = 0.05;
 
@@ -184,14 +186,16 @@ impl ImageBound {
         let shown = slot.shown(size);
         for y in shown.min.y..shown.max.y {
             for x in shown.min.x..shown.max.x {
-                let at = IVec2::new(x as i32, y as i32) - slot.around.min;
-                let at = at.y as usize * value.size[0] as usize + at.x as usize;
+                let at = (IVec2::new(x as i32, y as i32) - slot.around.min).as_uvec2();
+                let index = at.y as usize * value.size[0] as usize + at.x as usize;
                 let pixel = &mut pixels[y as usize * size[0] as usize + x as usize];
                 for channel in 0..4 {
-                    let exact = f64::from(value.pixels[at][channel]);
+                    let exact = f64::from(value.pixels[index][channel]);
                     let [below, above] =
-                        [&below, &above].map(|off| f64::from(off.pixels[at][channel]));
-                    let rounded = rounding.stored(exact + above) + AVERAGE_ROUNDINGS * F32;
+                        [&below, &above].map(|off| f64::from(off.pixels[index][channel]));
+                    let rounded = rounding.stored(exact + above)
+                        + AVERAGE_ROUNDINGS * F32
+                        + self.edge_error(at, slot.factor, channel);
                     pixel.value[channel] = exact;
                     pixel.above[channel] = above + rounded;
                     pixel.below[channel] = if contains(drawn, [x as usize, y as usize]) {
@@ -203,6 +207,37 @@ impl ImageBound {
             }
         }
         Self { size, pixels }
+    }
+
+    /// How far the mean over a pixel's area may be off because a device rounds the area's edges, in
+    /// f32, and leaves out a thin share of a texel. An edge that is off by t moves t of the area's
+    /// length on that axis from the mean to a texel at the edge, or back: two values between 0 and
+    /// the brightest around.
+    fn edge_error(&self, pixel: UVec2, factor: f64, channel: usize) -> f64 {
+        let [begin, end] = [pixel, pixel + 1].map(|at| factor * at.as_dvec2());
+        let last = DVec2::from(self.size.map(f64::from)) - 1.0;
+        let from = (begin.floor() - 1.0).max(DVec2::ZERO).as_uvec2();
+        let to = end.ceil().min(last).as_uvec2();
+        let mut brightest: f64 = 0.0;
+        for y in from.y..=to.y {
+            for x in from.x..=to.x {
+                let texel = &self.pixels[(y * self.size[0] + x) as usize];
+                brightest = brightest.max(texel.value[channel] + texel.above[channel]);
+            }
+        }
+        // The factor, its product, and the share of a texel are rounded.
+        let moved = |at: f64, share: f64| {
+            let rounded = 3.0 * F32 * at.max(1.0);
+            if share <= NO_SHARE + rounded {
+                share + rounded
+            } else {
+                rounded
+            }
+        };
+        let off = |begin: f64, end: f64| {
+            moved(begin, begin.floor() + 1.0 - begin) + moved(end, end - (end.ceil() - 1.0))
+        };
+        brightest * (off(begin.x, end.x) + off(begin.y, end.y)) / factor
     }
 
     /// The bound of splats. `drawn`: where they are drawn; `tested`: against the saturation depth.
