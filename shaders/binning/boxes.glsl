@@ -25,7 +25,7 @@ uint splat_at(uint place) { return order[control.visible_count - 1u - place]; }
 
 Box box_of(uint i) {
     Splat splat = unpack_splat(splats[i]);
-    vec2 half_sides = half_box(splat, radius_of(splat.opacity)) + MARGIN;
+    vec2 half_sides = half_box(splat, radius_of(splat.opacity));
     vec2 low = splat.center - half_sides, high = splat.center + half_sides;
     vec2 last = vec2(bins_of(0u) - 1u);
     float side = float(frame.bin_side);

@@ -25,8 +25,6 @@ PARAMETER(6, uint, KEYS_START, 0u)
 PARAMETER(7, uint, MARKS_START, 0u)
 // Pairs for which there is capacity.
 PARAMETER(8, uint, PAIR_CAPACITY, 1u)
-// How far outside a bin a splat's box may lie and still meet it, px.
-PARAMETER(9, float, MARGIN, 0.0)
 
 #ifdef WEB
 #define PAIR_KEY_WORD(word) pair_keys[word]

@@ -16,7 +16,6 @@ layout(std140, set = 0, binding = 7) uniform SettingsBlock {
     uint starts_start;
     uint pairs_start;
     uint pair_capacity;
-    float bin_margin;
 } settings;
 
 #define CUTOFF_EXPONENT settings.cutoff_exponent
@@ -34,4 +33,3 @@ layout(std140, set = 0, binding = 7) uniform SettingsBlock {
 #define STARTS_START settings.starts_start
 #define PAIRS_START settings.pairs_start
 #define PAIR_CAPACITY settings.pair_capacity
-#define MARGIN settings.bin_margin

@@ -10,11 +10,11 @@ const uint HIT_ROW = GROUP / 4u;
 const uint HIT_WORDS = SIDE * HIT_ROW;
 shared uint batch_hits[HIT_WORDS];
 
-// The first of SIDE intervals of a length whose samples are met by what reaches from `low` to
+// The first of SIDE intervals of a length whose pixels are met by what reaches from `low` to
 // `high`, px, and one past the last. Written so that all are where a number is NaN.
 uvec2 intervals(float low, float high, float side) {
-    float first = (low + 0.5 - MARGIN) / side - 1.0;
-    float last = (high - 0.5 + MARGIN) / side;
+    float first = (low + 0.5) / side - 1.0;
+    float last = (high - 0.5) / side;
     return uvec2(first > 0.0 ? uint(ceil(min(first, float(SIDE)))) : 0u,
                  last < float(SIDE) ? uint(floor(max(last, -1.0)) + 1.0) : SIDE);
 }
@@ -30,9 +30,9 @@ bool note_hits(uint k, Ellipse e) {
     bool meets = false;
     // Unrolled, it takes more registers than blending.
     [[dont_unroll]] for (uint row = rows.x; row < rows.y; ++row) {
-        // The row's samples, seen from the centre, and where in it the ellipse is widest.
-        float top = side * float(row) + 0.5 - MARGIN - e.center.y;
-        float bottom = top + side - 1.0 + 2.0 * MARGIN;
+        // The row's pixels, seen from the centre, and where in it the ellipse is widest.
+        float top = side * float(row) + 0.5 - e.center.y;
+        float bottom = top + side - 1.0;
         vec2 at = vec2(clamp(-turn, top, bottom), clamp(turn, top, bottom));
         vec2 squared = e.a * e.most - e.determinant * at * at;
         vec2 reach = sqrt(max(squared, 0.0));

@@ -1,6 +1,6 @@
-// The saturation depth: at each sample, which is the corner of four pixels, depth and colour of the
-// splat with which the sample is saturated. What lies further back shows by less than SATURATION
-// there. Every second pixel has a sample in x and y. common/saturation.glsl has a sample's word.
+// The saturation depth: at each sample, where four pixels meet, depth and colour of the splat with
+// which it is saturated. A splat counts by its least opacity at the four, so that what lies further
+// back shows by less than SATURATION at each. common/saturation.glsl has a sample's word.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

@@ -5,10 +5,11 @@
 pub const LOW_PASS: f64 = 0.3;
 /// Contributions below this opacity are skipped (docs/model.md, step 10).
 pub const ALPHA_MIN: f64 = 1.0 / 255.0;
-/// The saturation depth is where what lies behind shows by less than this. Pixels are filled with
-/// the colour of what lies there, so that it may be well above the cutoff (docs/experiments/058).
+/// The saturation depth is where what lies behind shows by less than this at any pixel: no pixel is
+/// off by 0.05 for it. Pixels are filled with the colour of what lies there, so that it may be well
+/// above the cutoff (docs/experiments/058, 066).
 pub fn saturation_light(cutoff: f64) -> f64 {
-    (8.0 * ALPHA_MIN).max(2.0 * cutoff)
+    (12.0 * ALPHA_MIN).max(2.0 * cutoff)
 }
 /// No single Gaussian covers more of a pixel than this (docs/model.md, step 10).
 pub const ALPHA_MAX: f64 = 0.99;

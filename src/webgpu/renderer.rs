@@ -449,7 +449,7 @@ impl Renderer {
     ) {
         let image = SettingsBlock {
             key_count: schedule.key_count,
-            first_region: self.raster.first_region(damage, self.options.size),
+            first_region: self.raster.first_region(damage),
             ..self.settings
         };
         let first = match &plan.atlas {

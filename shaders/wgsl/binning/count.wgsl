@@ -90,7 +90,7 @@ struct type_20 {
     member: array<vec4<u32>>,
 }
 
-struct type_21 {
+struct type_23 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -106,7 +106,6 @@ struct type_21 {
     member_12: u32,
     member_13: u32,
     member_14: u32,
-    member_15: f32,
 }
 
 struct type_27 {
@@ -129,23 +128,23 @@ var<storage> global_1: type_27;
 var<storage> global_2: type_18;
 @group(0) @binding(2) 
 var<storage> global_3: type_29;
-@group(0) @binding(7) 
-var<uniform> global_4: type_21;
-var<workgroup> global_5: array<atomic<u32>, 10>;
+var<workgroup> global_4: array<atomic<u32>, 10>;
 @group(0) @binding(4) 
-var<storage, read_write> global_6: type_31;
+var<storage, read_write> global_5: type_31;
+@group(0) @binding(7) 
+var<uniform> global_6: type_23;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: array<u32, 10>;
-    var phi_831_: u32;
-    var phi_832_: u32;
-    var phi_833_: u32;
-    var phi_613_: bool;
-    var phi_836_: u32;
-    var phi_839_: u32;
-    var phi_834_: u32;
-    var phi_835_: u32;
+    var phi_822_: u32;
+    var phi_823_: u32;
+    var phi_824_: u32;
+    var phi_604_: bool;
+    var phi_827_: u32;
+    var phi_830_: u32;
+    var phi_825_: u32;
+    var phi_826_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -156,23 +155,23 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e28 >= _e31) {
                 break;
             }
-            phi_831_ = _e25;
+            phi_822_ = _e25;
             loop {
-                let _e34 = phi_831_;
+                let _e34 = phi_822_;
                 if (_e34 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    atomicStore((&global_5[_e34]), 0u);
-                    phi_831_ = (_e34 + 128u);
+                    atomicStore((&global_4[_e34]), 0u);
+                    phi_822_ = (_e34 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_832_ = 0u;
+            phi_823_ = 0u;
             loop {
-                let _e42 = phi_832_;
+                let _e42 = phi_823_;
                 if (_e42 < 10u) {
                     continue;
                 } else {
@@ -180,12 +179,12 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     local[_e42] = 0u;
-                    phi_832_ = (_e42 + bitcast<u32>(1i));
+                    phi_823_ = (_e42 + bitcast<u32>(1i));
                 }
             }
-            phi_833_ = (_e28 + _e25);
+            phi_824_ = (_e28 + _e25);
             loop {
-                let _e49 = phi_833_;
+                let _e49 = phi_824_;
                 if (_e49 < min(((_e27 + 1u) * 256u), _e31)) {
                     let _e55 = global_1.member[((_e31 - 1u) - _e49)];
                     let _e58 = global_3.member[_e55];
@@ -197,41 +196,40 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e83 = global.member_29;
                     let _e91 = (unpack2x16float(_e58.w).x * inverseSqrt(dot(_e71, _e71)));
                     let _e94 = _e71.yx;
-                    let _e101 = global_4.member_15;
-                    let _e103 = ((sqrt(((_e71 * _e71) + ((_e94 * (_e91 * _e91)) * _e94))) * sqrt((2f * log(max((max(f32(((_e58.w >> bitcast<u32>(16u)) & 255u)), _e80) / _e83), 1f))))) + vec2(_e101));
-                    let _e104 = (_e69 - _e103);
-                    let _e105 = (_e69 + _e103);
-                    let _e107 = global.member_46;
-                    let _e109 = global.member_4;
-                    let _e111 = vec2(_e107);
-                    let _e116 = vec2<f32>(((((vec2<u32>(_e109) + _e111) - vec2<u32>(1u, 1u)) / _e111) - vec2<u32>(1u, 1u)));
-                    let _e118 = vec2(f32(_e107));
-                    let _e126 = all((_e104 < _e109));
-                    phi_613_ = _e126;
-                    if _e126 {
-                        phi_613_ = all((_e105 > vec2<f32>(0f, 0f)));
+                    let _e99 = (sqrt(((_e71 * _e71) + ((_e94 * (_e91 * _e91)) * _e94))) * sqrt((2f * log(max((max(f32(((_e58.w >> bitcast<u32>(16u)) & 255u)), _e80) / _e83), 1f)))));
+                    let _e100 = (_e69 - _e99);
+                    let _e101 = (_e69 + _e99);
+                    let _e103 = global.member_46;
+                    let _e105 = global.member_4;
+                    let _e107 = vec2(_e103);
+                    let _e112 = vec2<f32>(((((vec2<u32>(_e105) + _e107) - vec2<u32>(1u, 1u)) / _e107) - vec2<u32>(1u, 1u)));
+                    let _e114 = vec2(f32(_e103));
+                    let _e122 = all((_e100 < _e105));
+                    phi_604_ = _e122;
+                    if _e122 {
+                        phi_604_ = all((_e101 > vec2<f32>(0f, 0f)));
                     }
-                    let _e130 = phi_613_;
-                    phi_836_ = 0u;
+                    let _e126 = phi_604_;
+                    phi_827_ = 0u;
                     loop {
-                        let _e133 = phi_836_;
-                        if (_e133 < 10u) {
-                            let _e135 = vec2(_e133);
-                            let _e141 = (((vec2<u32>(clamp((_e105 / _e118), vec2<f32>(0f, 0f), _e116)) >> bitcast<vec2<u32>>(_e135)) - (vec2<u32>(clamp((_e104 / _e118), vec2<f32>(0f, 0f), _e116)) >> bitcast<vec2<u32>>(_e135))) + vec2<u32>(1u, 1u));
-                            if !(_e130) {
-                                phi_839_ = 0u;
+                        let _e129 = phi_827_;
+                        if (_e129 < 10u) {
+                            let _e131 = vec2(_e129);
+                            let _e137 = (((vec2<u32>(clamp((_e101 / _e114), vec2<f32>(0f, 0f), _e112)) >> bitcast<vec2<u32>>(_e131)) - (vec2<u32>(clamp((_e100 / _e114), vec2<f32>(0f, 0f), _e112)) >> bitcast<vec2<u32>>(_e131))) + vec2<u32>(1u, 1u));
+                            if !(_e126) {
+                                phi_830_ = 0u;
                             } else {
-                                phi_839_ = (_e141.x * _e141.y);
+                                phi_830_ = (_e137.x * _e137.y);
                             }
-                            let _e146 = phi_839_;
-                            let _e148 = local[_e133];
-                            local[_e133] = (_e148 + _e146);
+                            let _e142 = phi_830_;
+                            let _e144 = local[_e129];
+                            local[_e129] = (_e144 + _e142);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_836_ = (_e133 + bitcast<u32>(1i));
+                            phi_827_ = (_e129 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -239,37 +237,37 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_833_ = (_e49 + 128u);
+                    phi_824_ = (_e49 + 128u);
                 }
             }
-            phi_834_ = 0u;
+            phi_825_ = 0u;
             loop {
-                let _e154 = phi_834_;
-                if (_e154 < 10u) {
+                let _e150 = phi_825_;
+                if (_e150 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e158 = local[_e154];
-                    let _e159 = atomicAdd((&global_5[_e154]), _e158);
-                    phi_834_ = (_e154 + bitcast<u32>(1i));
+                    let _e154 = local[_e150];
+                    let _e155 = atomicAdd((&global_4[_e150]), _e154);
+                    phi_825_ = (_e150 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            phi_835_ = _e25;
+            phi_826_ = _e25;
             loop {
-                let _e163 = phi_835_;
-                if (_e163 < 10u) {
+                let _e159 = phi_826_;
+                if (_e159 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e166 = global_4.member_11;
-                    let _e171 = atomicLoad((&global_5[_e163]));
-                    global_6.member[((_e166 + (_e27 * 10u)) + _e163)] = (_e171 + (_e171 & 1u));
-                    phi_835_ = (_e163 + 128u);
+                    let _e162 = global_6.member_11;
+                    let _e167 = atomicLoad((&global_4[_e159]));
+                    global_5.member[((_e162 + (_e27 * 10u)) + _e159)] = (_e167 + (_e167 & 1u));
+                    phi_826_ = (_e159 + 128u);
                 }
             }
             break;

@@ -33,7 +33,6 @@ struct type_11 {
     member_12: u32,
     member_13: u32,
     member_14: u32,
-    member_15: f32,
 }
 
 struct type_16 {

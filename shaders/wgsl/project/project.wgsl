@@ -91,7 +91,6 @@ struct type_22 {
     member_12: u32,
     member_13: u32,
     member_14: u32,
-    member_15: f32,
 }
 
 struct type_26 {

@@ -87,7 +87,6 @@ struct type_20 {
     member_12: u32,
     member_13: u32,
     member_14: u32,
-    member_15: f32,
 }
 
 struct type_24 {

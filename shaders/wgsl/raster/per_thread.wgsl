@@ -123,7 +123,6 @@ struct SettingsBlock {
     starts_start: u32,
     pairs_start: u32,
     pair_capacity: u32,
-    bin_margin: f32,
 }
 
 struct Splats {

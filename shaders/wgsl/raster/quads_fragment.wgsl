@@ -14,7 +14,6 @@ struct type_7 {
     member_12: u32,
     member_13: u32,
     member_14: u32,
-    member_15: f32,
 }
 
 var<private> global: vec2<u32>;

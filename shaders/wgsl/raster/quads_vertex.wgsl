@@ -113,7 +113,6 @@ struct type_34 {
     member_12: u32,
     member_13: u32,
     member_14: u32,
-    member_15: f32,
 }
 
 struct VertexOutput {

@@ -111,7 +111,6 @@ struct SettingsBlock {
     starts_start: u32,
     pairs_start: u32,
     pair_capacity: u32,
-    bin_margin: f32,
 }
 
 struct Sorted {
@@ -155,9 +154,9 @@ struct Splats_1 {
 
 @group(0) @binding(0) 
 var<uniform> frame: FrameBlock;
+var<workgroup> batch_hits: array<atomic<u32>, 512>;
 @group(0) @binding(7) 
 var<uniform> settings: SettingsBlock;
-var<workgroup> batch_hits: array<atomic<u32>, 512>;
 var<workgroup> batch_place: array<vec4<f32>, 256>;
 var<workgroup> batch_shape: array<vec4<f32>, 256>;
 @group(0) @binding(3) 
@@ -269,91 +268,90 @@ fn note_seen_u0028_u1_u003b(k: ptr<function, u32>) {
     return;
 }
 
-fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>) -> f32 {
-    var power: f32;
+fn opacity_of_u0028_f1_u003b(power: ptr<function, f32>) -> f32 {
     var local_1: f32;
 
-    let _e7 = (*exponent);
-    let _e8 = (*deviation);
-    let _e9 = (*deviation);
-    power = (_e7 - dot(_e8, _e9));
-    let _e12 = power;
-    let _e14 = settings.cutoff_exponent;
-    if (_e12 >= _e14) {
-        let _e16 = power;
-        local_1 = min(0.99f, exp2(_e16));
+    let _e5 = (*power);
+    let _e7 = settings.cutoff_exponent;
+    if (_e5 >= _e7) {
+        let _e9 = (*power);
+        local_1 = min(0.99f, exp2(_e9));
     } else {
         local_1 = 0f;
     }
-    let _e19 = local_1;
-    return _e19;
+    let _e12 = local_1;
+    return _e12;
 }
 
 fn see_u0028_u1_u003b_vf2_u003b(k_1: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
     var place: vec4<f32>;
     var shape: vec4<f32>;
     var from_: vec2<f32>;
-    var deviation_1: vec2<f32>;
+    var deviation: vec2<f32>;
+    var px_right: vec2<f32>;
+    var px_down: vec2<f32>;
     var right: vec2<f32>;
     var down: vec2<f32>;
     var seen_1: Seen;
-    var param_19: vec2<f32>;
+    var param_19: f32;
     var param_20: f32;
-    var param_21: vec2<f32>;
+    var param_21: f32;
     var param_22: f32;
-    var param_23: vec2<f32>;
-    var param_24: f32;
-    var param_25: vec2<f32>;
-    var param_26: f32;
 
-    let _e24 = (*k_1);
-    let _e26 = batch_place[_e24];
-    place = _e26;
-    let _e27 = (*k_1);
-    let _e29 = batch_shape[_e27];
-    shape = _e29;
-    let _e30 = (*first_1);
-    let _e31 = place;
-    from_ = (_e30 - _e31.xy);
-    let _e34 = from_;
-    let _e35 = place;
-    let _e38 = from_;
-    let _e39 = shape;
-    deviation_1 = vec2<f32>(dot(_e34, _e35.zw), dot(_e38, _e39.xy));
-    let _e43 = deviation_1;
-    let _e45 = place[2u];
-    let _e47 = shape[0u];
-    right = (_e43 + (vec2<f32>(_e45, _e47) * 1f));
-    let _e52 = place[3u];
-    let _e54 = shape[1u];
-    down = (vec2<f32>(_e52, _e54) * 1f);
-    let _e57 = deviation_1;
-    param_19 = _e57;
-    let _e59 = shape[2u];
-    param_20 = _e59;
-    let _e60 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_19), (&param_20));
-    let _e61 = right;
-    param_21 = _e61;
-    let _e63 = shape[2u];
-    param_22 = _e63;
-    let _e64 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_21), (&param_22));
-    let _e65 = deviation_1;
-    let _e66 = down;
-    param_23 = (_e65 + _e66);
-    let _e69 = shape[2u];
-    param_24 = _e69;
-    let _e70 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_23), (&param_24));
-    let _e71 = right;
-    let _e72 = down;
-    param_25 = (_e71 + _e72);
-    let _e75 = shape[2u];
-    param_26 = _e75;
-    let _e76 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_25), (&param_26));
-    seen_1.opacity = vec4<f32>(_e60, _e64, _e70, _e76);
-    let _e80 = shape[3u];
-    seen_1.word = bitcast<u32>(_e80);
-    let _e83 = seen_1;
-    return _e83;
+    let _e22 = (*k_1);
+    let _e24 = batch_place[_e22];
+    place = _e24;
+    let _e25 = (*k_1);
+    let _e27 = batch_shape[_e25];
+    shape = _e27;
+    let _e28 = (*first_1);
+    let _e29 = place;
+    from_ = (_e28 - _e29.xy);
+    let _e32 = from_;
+    let _e33 = place;
+    let _e36 = from_;
+    let _e37 = shape;
+    deviation = vec2<f32>(dot(_e32, _e33.zw), dot(_e36, _e37.xy));
+    let _e42 = place[2u];
+    let _e44 = shape[0u];
+    px_right = vec2<f32>(_e42, _e44);
+    let _e47 = place[3u];
+    let _e49 = shape[1u];
+    px_down = vec2<f32>(_e47, _e49);
+    let _e51 = deviation;
+    let _e52 = px_right;
+    right = (_e51 + (_e52 * 1f));
+    let _e55 = px_down;
+    down = (_e55 * 1f);
+    let _e58 = shape[2u];
+    let _e59 = deviation;
+    let _e60 = deviation;
+    param_19 = (_e58 - dot(_e59, _e60));
+    let _e63 = opacity_of_u0028_f1_u003b((&param_19));
+    let _e65 = shape[2u];
+    let _e66 = right;
+    let _e67 = right;
+    param_20 = (_e65 - dot(_e66, _e67));
+    let _e70 = opacity_of_u0028_f1_u003b((&param_20));
+    let _e72 = shape[2u];
+    let _e73 = deviation;
+    let _e74 = down;
+    let _e76 = deviation;
+    let _e77 = down;
+    param_21 = (_e72 - dot((_e73 + _e74), (_e76 + _e77)));
+    let _e81 = opacity_of_u0028_f1_u003b((&param_21));
+    let _e83 = shape[2u];
+    let _e84 = right;
+    let _e85 = down;
+    let _e87 = right;
+    let _e88 = down;
+    param_22 = (_e83 - dot((_e84 + _e85), (_e87 + _e88)));
+    let _e92 = opacity_of_u0028_f1_u003b((&param_22));
+    seen_1.opacity = vec4<f32>(_e63, _e70, _e81, _e92);
+    let _e96 = shape[3u];
+    seen_1.word = bitcast<u32>(_e96);
+    let _e99 = seen_1;
+    return _e99;
 }
 
 fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b(samples_2: ptr<function, Samples>, hits: ptr<function, u32>, from_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
@@ -362,18 +360,18 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_
     var l: u32;
     var local_2: u32;
     var seen_2: Seen;
-    var param_27: u32;
-    var param_28: vec2<f32>;
+    var param_23: u32;
+    var param_24: vec2<f32>;
     var second: Seen;
-    var param_29: u32;
-    var param_30: vec2<f32>;
-    var param_31: u32;
-    var param_32: Samples;
-    var param_33: Seen;
+    var param_25: u32;
+    var param_26: vec2<f32>;
+    var param_27: u32;
+    var param_28: Samples;
+    var param_29: Seen;
     var shows: bool;
-    var param_34: u32;
-    var param_35: Samples;
-    var param_36: Seen;
+    var param_30: u32;
+    var param_31: Samples;
+    var param_32: Seen;
 
     loop {
         let _e27 = (*hits);
@@ -402,26 +400,26 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_
             let _e53 = (*hits);
             (*hits) = (_e53 & (_e51 - 1u));
             let _e55 = k_2;
-            param_27 = _e55;
+            param_23 = _e55;
             let _e56 = (*first_2);
-            param_28 = _e56;
-            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_27), (&param_28));
+            param_24 = _e56;
+            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_23), (&param_24));
             seen_2 = _e57;
             let _e58 = l;
-            param_29 = _e58;
+            param_25 = _e58;
             let _e59 = (*first_2);
-            param_30 = _e59;
-            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_29), (&param_30));
+            param_26 = _e59;
+            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_25), (&param_26));
             second = _e60;
             let _e61 = k_2;
-            param_31 = _e61;
-            note_seen_u0028_u1_u003b((&param_31));
+            param_27 = _e61;
+            note_seen_u0028_u1_u003b((&param_27));
             let _e62 = (*samples_2);
-            param_32 = _e62;
+            param_28 = _e62;
             let _e63 = seen_2;
-            param_33 = _e63;
-            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_32), (&param_33));
-            let _e64 = param_32;
+            param_29 = _e63;
+            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_28), (&param_29));
+            let _e64 = param_28;
             (*samples_2) = _e64;
             let _e65 = both;
             let _e67 = (*samples_2).open;
@@ -429,18 +427,18 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_
             let _e69 = shows;
             if _e69 {
                 let _e70 = l;
-                param_34 = _e70;
-                note_seen_u0028_u1_u003b((&param_34));
+                param_30 = _e70;
+                note_seen_u0028_u1_u003b((&param_30));
             }
             let _e71 = shows;
             let _e74 = second.opacity;
             second.opacity = (_e74 * select(0f, 1f, _e71));
             let _e77 = (*samples_2);
-            param_35 = _e77;
+            param_31 = _e77;
             let _e78 = second;
-            param_36 = _e78;
-            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_35), (&param_36));
-            let _e79 = param_35;
+            param_32 = _e78;
+            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_31), (&param_32));
+            let _e79 = param_31;
             (*samples_2) = _e79;
             let _e80 = shows;
             let _e83 = (*samples_2).evaluated;
@@ -468,14 +466,14 @@ fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
 
 fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word: ptr<function, u32>) -> u32 {
     var place_1: vec2<u32>;
-    var param_37: u32;
+    var param_33: u32;
     var hits_1: u32;
     var k_3: u32;
     var bits_1: u32;
 
     let _e15 = (*thread);
-    param_37 = _e15;
-    let _e16 = place_of_u0028_u1_u003b((&param_37));
+    param_33 = _e15;
+    let _e16 = place_of_u0028_u1_u003b((&param_33));
     place_1 = (_e16 / vec2(2u));
     hits_1 = 0u;
     k_3 = 0u;
@@ -511,40 +509,38 @@ fn intervals_u0028_f1_u003b_f1_u003b_f1_u003b(low: ptr<function, f32>, high: ptr
     var local_3: u32;
     var local_4: u32;
 
-    let _e15 = (*low);
-    let _e18 = settings.bin_margin;
-    let _e20 = (*side);
-    first_3 = ((((_e15 + 0.5f) - _e18) / _e20) - 1f);
-    let _e23 = (*high);
-    let _e26 = settings.bin_margin;
-    let _e28 = (*side);
-    last = (((_e23 - 0.5f) + _e26) / _e28);
-    let _e30 = first_3;
-    if (_e30 > 0f) {
-        let _e32 = first_3;
-        local_3 = u32(ceil(min(_e32, 8f)));
+    let _e14 = (*low);
+    let _e16 = (*side);
+    first_3 = (((_e14 + 0.5f) / _e16) - 1f);
+    let _e19 = (*high);
+    let _e21 = (*side);
+    last = ((_e19 - 0.5f) / _e21);
+    let _e23 = first_3;
+    if (_e23 > 0f) {
+        let _e25 = first_3;
+        local_3 = u32(ceil(min(_e25, 8f)));
     } else {
         local_3 = 0u;
     }
-    let _e36 = local_3;
-    let _e37 = last;
-    if (_e37 < 8f) {
-        let _e39 = last;
-        local_4 = u32((floor(max(_e39, -1f)) + 1f));
+    let _e29 = local_3;
+    let _e30 = last;
+    if (_e30 < 8f) {
+        let _e32 = last;
+        local_4 = u32((floor(max(_e32, -1f)) + 1f));
     } else {
         local_4 = 8u;
     }
-    let _e44 = local_4;
-    return vec2<u32>(_e36, _e44);
+    let _e37 = local_4;
+    return vec2<u32>(_e29, _e37);
 }
 
 fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b(k_4: ptr<function, u32>, e: ptr<function, Ellipse>) -> bool {
     var turn: f32;
     var height: f32;
     var rows: vec2<u32>;
-    var param_38: f32;
-    var param_39: f32;
-    var param_40: f32;
+    var param_34: f32;
+    var param_35: f32;
+    var param_36: f32;
     var place_2: u32;
     var meets: bool;
     var row: u32;
@@ -555,95 +551,93 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var reach: vec2<f32>;
     var ends: vec2<f32>;
     var met: vec2<u32>;
-    var param_41: f32;
-    var param_42: f32;
-    var param_43: f32;
+    var param_37: f32;
+    var param_38: f32;
+    var param_39: f32;
     var bits_2: u32;
-    var phi_512_: bool;
+    var phi_493_: bool;
 
-    let _e40 = (*e).b;
-    let _e43 = (*e).most;
-    let _e45 = (*e).c;
-    let _e47 = (*e).determinant;
-    turn = (-(_e40) * sqrt((_e43 / (_e45 * _e47))));
-    let _e53 = (*e).a;
-    let _e55 = (*e).most;
-    let _e58 = (*e).determinant;
-    height = sqrt(((_e53 * _e55) / _e58));
-    let _e63 = (*e).center[1u];
-    let _e64 = height;
-    let _e68 = (*e).center[1u];
-    let _e69 = height;
-    param_38 = (_e63 - _e64);
-    param_39 = (_e68 + _e69);
-    param_40 = 4f;
-    let _e71 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_38), (&param_39), (&param_40));
-    rows = _e71;
-    let _e72 = (*k_4);
-    let _e76 = (*k_4);
-    place_2 = (((_e72 >> bitcast<u32>(5u)) * 8u) + (_e76 & 7u));
+    let _e38 = (*e).b;
+    let _e41 = (*e).most;
+    let _e43 = (*e).c;
+    let _e45 = (*e).determinant;
+    turn = (-(_e38) * sqrt((_e41 / (_e43 * _e45))));
+    let _e51 = (*e).a;
+    let _e53 = (*e).most;
+    let _e56 = (*e).determinant;
+    height = sqrt(((_e51 * _e53) / _e56));
+    let _e61 = (*e).center[1u];
+    let _e62 = height;
+    let _e66 = (*e).center[1u];
+    let _e67 = height;
+    param_34 = (_e61 - _e62);
+    param_35 = (_e66 + _e67);
+    param_36 = 4f;
+    let _e69 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_34), (&param_35), (&param_36));
+    rows = _e69;
+    let _e70 = (*k_4);
+    let _e74 = (*k_4);
+    place_2 = (((_e70 >> bitcast<u32>(5u)) * 8u) + (_e74 & 7u));
     meets = false;
-    let _e80 = rows[0u];
-    row = _e80;
+    let _e78 = rows[0u];
+    row = _e78;
     loop {
-        let _e81 = row;
-        let _e83 = rows[1u];
-        if (_e81 < _e83) {
-            let _e85 = row;
-            let _e90 = settings.bin_margin;
-            let _e94 = (*e).center[1u];
-            top = ((((4f * f32(_e85)) + 0.5f) - _e90) - _e94);
+        let _e79 = row;
+        let _e81 = rows[1u];
+        if (_e79 < _e81) {
+            let _e83 = row;
+            let _e89 = (*e).center[1u];
+            top = (((4f * f32(_e83)) + 0.5f) - _e89);
+            let _e91 = top;
+            bottom = ((_e91 + 4f) - 1f);
+            let _e94 = turn;
             let _e96 = top;
-            let _e100 = settings.bin_margin;
-            bottom = (((_e96 + 4f) - 1f) + (2f * _e100));
-            let _e103 = turn;
-            let _e105 = top;
-            let _e106 = bottom;
-            let _e108 = turn;
-            let _e109 = top;
-            let _e110 = bottom;
-            at_1 = vec2<f32>(clamp(-(_e103), _e105, _e106), clamp(_e108, _e109, _e110));
-            let _e114 = (*e).a;
-            let _e116 = (*e).most;
-            let _e119 = (*e).determinant;
-            let _e120 = at_1;
-            let _e122 = at_1;
-            squared = (vec2((_e114 * _e116)) - ((_e120 * _e119) * _e122));
-            let _e126 = squared;
-            reach = sqrt(max(_e126, vec2(0f)));
-            let _e131 = (*e).b;
-            let _e133 = at_1;
-            let _e136 = reach[0u];
-            let _e139 = reach[1u];
-            let _e143 = (*e).a;
-            let _e148 = (*e).center[0u];
-            ends = ((((_e133 * -(_e131)) + vec2<f32>(-(_e136), _e139)) / vec2(_e143)) + vec2(_e148));
-            let _e152 = ends[0u];
-            param_41 = _e152;
-            let _e154 = ends[1u];
-            param_42 = _e154;
-            param_43 = 4f;
-            let _e155 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_41), (&param_42), (&param_43));
-            met = _e155;
-            let _e157 = met[0u];
-            let _e159 = met[1u];
-            let _e160 = (_e157 < _e159);
-            phi_512_ = _e160;
-            if _e160 {
-                let _e162 = squared[0u];
-                let _e164 = squared[1u];
-                phi_512_ = !((max(_e162, _e164) < 0f));
+            let _e97 = bottom;
+            let _e99 = turn;
+            let _e100 = top;
+            let _e101 = bottom;
+            at_1 = vec2<f32>(clamp(-(_e94), _e96, _e97), clamp(_e99, _e100, _e101));
+            let _e105 = (*e).a;
+            let _e107 = (*e).most;
+            let _e110 = (*e).determinant;
+            let _e111 = at_1;
+            let _e113 = at_1;
+            squared = (vec2((_e105 * _e107)) - ((_e111 * _e110) * _e113));
+            let _e117 = squared;
+            reach = sqrt(max(_e117, vec2(0f)));
+            let _e122 = (*e).b;
+            let _e124 = at_1;
+            let _e127 = reach[0u];
+            let _e130 = reach[1u];
+            let _e134 = (*e).a;
+            let _e139 = (*e).center[0u];
+            ends = ((((_e124 * -(_e122)) + vec2<f32>(-(_e127), _e130)) / vec2(_e134)) + vec2(_e139));
+            let _e143 = ends[0u];
+            param_37 = _e143;
+            let _e145 = ends[1u];
+            param_38 = _e145;
+            param_39 = 4f;
+            let _e146 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_37), (&param_38), (&param_39));
+            met = _e146;
+            let _e148 = met[0u];
+            let _e150 = met[1u];
+            let _e151 = (_e148 < _e150);
+            phi_493_ = _e151;
+            if _e151 {
+                let _e153 = squared[0u];
+                let _e155 = squared[1u];
+                phi_493_ = !((max(_e153, _e155) < 0f));
             }
-            let _e169 = phi_512_;
-            if _e169 {
-                let _e171 = met[1u];
-                let _e175 = met[0u];
-                bits_2 = ((1u << bitcast<u32>(_e171)) - (1u << bitcast<u32>(_e175)));
-                let _e179 = row;
-                let _e181 = place_2;
-                let _e184 = bits_2;
-                let _e185 = (*k_4);
-                let _e189 = atomicOr((&batch_hits[((_e179 * 64u) + _e181)]), (_e184 << bitcast<u32>((_e185 & 24u))));
+            let _e160 = phi_493_;
+            if _e160 {
+                let _e162 = met[1u];
+                let _e166 = met[0u];
+                bits_2 = ((1u << bitcast<u32>(_e162)) - (1u << bitcast<u32>(_e166)));
+                let _e170 = row;
+                let _e172 = place_2;
+                let _e175 = bits_2;
+                let _e176 = (*k_4);
+                let _e180 = atomicOr((&batch_hits[((_e170 * 64u) + _e172)]), (_e175 << bitcast<u32>((_e176 & 24u))));
                 meets = true;
             }
             continue;
@@ -651,12 +645,12 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
             break;
         }
         continuing {
-            let _e190 = row;
-            row = (_e190 + bitcast<u32>(1i));
+            let _e181 = row;
+            row = (_e181 + bitcast<u32>(1i));
         }
     }
-    let _e193 = meets;
-    return _e193;
+    let _e184 = meets;
+    return _e184;
 }
 
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
@@ -666,14 +660,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_44: vec4<u32>;
+    var param_40: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_44 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_44));
+    param_40 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_40));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -700,21 +694,21 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
 
 fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>, i: ptr<function, u32>, packed: ptr<function, vec4<u32>>, corner_1: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_45: vec4<u32>;
+    var param_41: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
-    var exponent_1: f32;
+    var exponent: f32;
     var ellipse: Ellipse;
-    var param_46: u32;
-    var param_47: Ellipse;
+    var param_42: u32;
+    var param_43: Ellipse;
     var color_1: vec3<u32>;
     var word_1: u32;
-    var phi_694_: bool;
+    var phi_678_: bool;
 
     let _e28 = (*packed);
-    param_45 = _e28;
-    let _e29 = unpack_splat_u0028_vu4_u003b((&param_45));
+    param_41 = _e28;
+    let _e29 = unpack_splat_u0028_vu4_u003b((&param_41));
     splat_1 = _e29;
     let _e31 = splat_1.axis;
     let _e33 = splat_1.axis;
@@ -728,7 +722,7 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     let _e53 = splat_1.axis[0u];
     across = (vec2<f32>(-(_e49), _e53) * ((0.8493218f * sqrt(_e41)) / _e45));
     let _e57 = splat_1.opacity;
-    exponent_1 = log2((f32(_e57) / 255f));
+    exponent = log2((f32(_e57) / 255f));
     let _e62 = splat_1.center;
     let _e63 = (*corner_1);
     ellipse.center = (_e62 - _e63);
@@ -752,21 +746,21 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     let _e105 = across;
     let _e106 = across;
     ellipse.determinant = (dot(_e102, _e103) * dot(_e105, _e106));
-    let _e110 = exponent_1;
+    let _e110 = exponent;
     let _e112 = settings.cutoff_exponent;
     ellipse.most = ((_e110 - _e112) + 0.00390625f);
     let _e117 = ellipse.most;
     let _e118 = (_e117 < 0f);
-    phi_694_ = _e118;
+    phi_678_ = _e118;
     if !(_e118) {
         let _e120 = (*thread_1);
-        param_46 = _e120;
+        param_42 = _e120;
         let _e121 = ellipse;
-        param_47 = _e121;
-        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_46), (&param_47));
-        phi_694_ = !(_e122);
+        param_43 = _e121;
+        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_42), (&param_43));
+        phi_678_ = !(_e122);
     }
-    let _e125 = phi_694_;
+    let _e125 = phi_678_;
     if _e125 {
         return;
     }
@@ -782,7 +776,7 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     batch_place[_e143] = vec4<f32>(_e145.x, _e145.y, _e146.x, _e146.y);
     let _e153 = (*thread_1);
     let _e154 = across;
-    let _e155 = exponent_1;
+    let _e155 = exponent;
     let _e156 = word_1;
     batch_shape[_e153] = vec4<f32>(_e154.x, _e154.y, _e155, bitcast<f32>(_e156));
     return;
@@ -837,35 +831,35 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_48: u32;
+    var param_44: u32;
     var from_2: u32;
     var end_1: u32;
     var i_1: u32;
+    var param_45: u32;
+    var param_46: u32;
+    var param_47: u32;
+    var next: u32;
+    var param_48: u32;
     var param_49: u32;
     var param_50: u32;
+    var pair_1: u32;
     var param_51: u32;
-    var next: u32;
     var param_52: u32;
+    var k_5: u32;
     var param_53: u32;
     var param_54: u32;
-    var pair_1: u32;
-    var param_55: u32;
-    var param_56: u32;
-    var k_5: u32;
+    var param_55: vec4<u32>;
+    var param_56: vec2<f32>;
     var param_57: u32;
     var param_58: u32;
-    var param_59: vec4<u32>;
-    var param_60: vec2<f32>;
-    var param_61: u32;
-    var param_62: u32;
-    var param_63: u32;
+    var param_59: u32;
     var word_2: u32;
+    var param_60: u32;
+    var param_61: u32;
+    var param_62: Samples;
+    var param_63: u32;
     var param_64: u32;
-    var param_65: u32;
-    var param_66: Samples;
-    var param_67: u32;
-    var param_68: u32;
-    var param_69: vec2<f32>;
+    var param_65: vec2<f32>;
 
     let _e52 = gl_LocalInvocationIndex_1;
     thread_2 = _e52;
@@ -877,8 +871,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     at_2 = (_e56 / vec2((_e58 << bitcast<u32>(_e59))));
     let _e65 = at_2[1u];
     let _e66 = shift_1;
-    param_48 = _e66;
-    let _e67 = bins_of_u0028_u1_u003b((&param_48));
+    param_44 = _e66;
+    let _e67 = bins_of_u0028_u1_u003b((&param_44));
     let _e71 = at_2[0u];
     bin = ((_e65 * _e67.x) + _e71);
     let _e74 = settings.starts_start;
@@ -891,28 +885,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     end_1 = _e87;
     let _e88 = from_2;
     let _e89 = thread_2;
-    param_49 = (_e88 + _e89);
+    param_45 = (_e88 + _e89);
     let _e91 = end_1;
-    param_50 = _e91;
-    let _e92 = pair_at_u0028_u1_u003b_u1_u003b((&param_49), (&param_50));
-    param_51 = _e92;
-    let _e93 = splat_of_u0028_u1_u003b((&param_51));
+    param_46 = _e91;
+    let _e92 = pair_at_u0028_u1_u003b_u1_u003b((&param_45), (&param_46));
+    param_47 = _e92;
+    let _e93 = splat_of_u0028_u1_u003b((&param_47));
     i_1 = _e93;
     let _e94 = from_2;
     let _e96 = thread_2;
-    param_52 = ((_e94 + 256u) + _e96);
+    param_48 = ((_e94 + 256u) + _e96);
     let _e98 = end_1;
-    param_53 = _e98;
-    let _e99 = pair_at_u0028_u1_u003b_u1_u003b((&param_52), (&param_53));
-    param_54 = _e99;
-    let _e100 = splat_of_u0028_u1_u003b((&param_54));
+    param_49 = _e98;
+    let _e99 = pair_at_u0028_u1_u003b_u1_u003b((&param_48), (&param_49));
+    param_50 = _e99;
+    let _e100 = splat_of_u0028_u1_u003b((&param_50));
     next = _e100;
     let _e101 = from_2;
     let _e103 = thread_2;
-    param_55 = ((_e101 + 512u) + _e103);
+    param_51 = ((_e101 + 512u) + _e103);
     let _e105 = end_1;
-    param_56 = _e105;
-    let _e106 = pair_at_u0028_u1_u003b_u1_u003b((&param_55), (&param_56));
+    param_52 = _e105;
+    let _e106 = pair_at_u0028_u1_u003b_u1_u003b((&param_51), (&param_52));
     pair_1 = _e106;
     loop {
         let _e107 = from_2;
@@ -950,26 +944,26 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e126 = i_1;
                 let _e127 = (*corner_2);
                 let _e129 = thread_2;
-                param_57 = _e129;
+                param_53 = _e129;
                 let _e130 = i_1;
-                param_58 = _e130;
+                param_54 = _e130;
                 let _e133 = unnamed_2.splats[_e126];
-                param_59 = _e133;
-                param_60 = vec2<f32>(_e127);
-                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_57), (&param_58), (&param_59), (&param_60));
+                param_55 = _e133;
+                param_56 = vec2<f32>(_e127);
+                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_53), (&param_54), (&param_55), (&param_56));
             }
             let _e134 = next;
             i_1 = _e134;
             let _e135 = pair_1;
-            param_61 = _e135;
-            let _e136 = splat_of_u0028_u1_u003b((&param_61));
+            param_57 = _e135;
+            let _e136 = splat_of_u0028_u1_u003b((&param_57));
             next = _e136;
             let _e137 = from_2;
             let _e139 = thread_2;
-            param_62 = ((_e137 + 768u) + _e139);
+            param_58 = ((_e137 + 768u) + _e139);
             let _e141 = end_1;
-            param_63 = _e141;
-            let _e142 = pair_at_u0028_u1_u003b_u1_u003b((&param_62), (&param_63));
+            param_59 = _e141;
+            let _e142 = pair_at_u0028_u1_u003b_u1_u003b((&param_58), (&param_59));
             pair_1 = _e142;
             workgroupBarrier();
             let _e143 = workgroupUniformLoad((&batch_open));
@@ -982,19 +976,19 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e148 = (*samples_3).open;
                 if ((_e145 < 8u) && _e148) {
                     let _e150 = thread_2;
-                    param_64 = _e150;
+                    param_60 = _e150;
                     let _e151 = word_2;
-                    param_65 = _e151;
-                    let _e152 = hits_of_u0028_u1_u003b_u1_u003b((&param_64), (&param_65));
+                    param_61 = _e151;
+                    let _e152 = hits_of_u0028_u1_u003b_u1_u003b((&param_60), (&param_61));
                     let _e153 = word_2;
                     let _e155 = (*samples_3);
-                    param_66 = _e155;
-                    param_67 = _e152;
-                    param_68 = (32u * _e153);
+                    param_62 = _e155;
+                    param_63 = _e152;
+                    param_64 = (32u * _e153);
                     let _e156 = (*first_4);
-                    param_69 = _e156;
-                    blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_66), (&param_67), (&param_68), (&param_69));
-                    let _e157 = param_66;
+                    param_65 = _e156;
+                    blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_62), (&param_63), (&param_64), (&param_65));
+                    let _e157 = param_62;
                     (*samples_3) = _e157;
                     continue;
                 } else {
@@ -1020,28 +1014,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
 
 fn is_drawn_u0028_vu2_u003b(corner_3: ptr<function, vec2<u32>>) -> bool {
     var at_3: vec2<f32>;
+    var phi_273_: bool;
     var phi_274_: bool;
-    var phi_275_: bool;
 
     let _e4 = (*corner_3);
     at_3 = vec2<f32>(_e4);
     let _e7 = frame.area_reach;
     let _e8 = (_e7 < 0f);
-    phi_275_ = _e8;
+    phi_274_ = _e8;
     if !(_e8) {
         let _e10 = at_3;
         let _e12 = frame.area;
         let _e15 = all((_e10 >= _e12.xy));
-        phi_274_ = _e15;
+        phi_273_ = _e15;
         if _e15 {
             let _e16 = at_3;
             let _e18 = frame.area;
-            phi_274_ = all((_e16 < _e18.zw));
+            phi_273_ = all((_e16 < _e18.zw));
         }
-        let _e23 = phi_274_;
-        phi_275_ = _e23;
+        let _e23 = phi_273_;
+        phi_274_ = _e23;
     }
-    let _e25 = phi_275_;
+    let _e25 = phi_274_;
     return _e25;
 }
 
@@ -1068,7 +1062,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_14: vec2<u32>;
     var param_15: vec4<f32>;
     var param_16: bool;
-    var phi_1371_: bool;
+    var phi_1365_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1130,12 +1124,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_14), (&param_15), (&param_16));
     let _e98 = settings.counted;
     let _e99 = (_e98 != 0u);
-    phi_1371_ = _e99;
+    phi_1365_ = _e99;
     if _e99 {
         let _e101 = samples.evaluated;
-        phi_1371_ = (_e101 > 0u);
+        phi_1365_ = (_e101 > 0u);
     }
-    let _e104 = phi_1371_;
+    let _e104 = phi_1365_;
     if _e104 {
         let _e108 = samples.evaluated;
         let _e109 = atomicAdd((&unnamed_3.control.fragments), _e108);

@@ -14,7 +14,6 @@ struct type_3 {
     member_12: u32,
     member_13: u32,
     member_14: u32,
-    member_15: f32,
 }
 
 struct type_6 {

@@ -2,7 +2,6 @@
 
 use crate::layout::RASTER_REGION;
 use crate::scene::PixelRect;
-use glam::UVec2;
 
 /// The pixels that a frame clears: whole regions of [`RASTER_REGION`] px, cut off at the image's
 /// edges, and at least one.
@@ -65,15 +64,13 @@ impl Damage {
             .product()
     }
 
-    /// Column and row of the first region of a side, px, and one past those of the last, of all
-    /// that the pixels that are drawn look at up to a pixel beyond them: samples of the saturation
-    /// depth.
-    pub fn sampled_regions(&self, side: u32, size: [u32; 2]) -> [[u32; 2]; 2] {
-        let first = self.drawn.min.saturating_sub(UVec2::ONE) / side;
-        let end = (self.drawn.max + 1)
-            .min(size.into())
-            .map(|pixel| pixel.div_ceil(side));
-        [first.into(), end.into()]
+    /// Column and row of the first region of a side, px, and one past those of the last, of those
+    /// that have pixels that are drawn.
+    pub fn drawn_regions(&self, side: u32) -> [[u32; 2]; 2] {
+        [
+            (self.drawn.min / side).into(),
+            self.drawn.max.map(|pixel| pixel.div_ceil(side)).into(),
+        ]
     }
 
     /// Column and row of the first region of a side, px, and one past those of the last. The side
@@ -148,14 +145,15 @@ mod tests {
     }
 
     #[test]
-    fn drawn_pixels_have_all_their_samples() {
-        let sampled = |min, max| {
+    fn drawn_pixels_are_in_the_regions_that_are_drawn() {
+        let drawn_regions = |min, max| {
             let drawn = rect(min, max);
-            Damage::new(drawn, Some(drawn), SIZE).sampled_regions(RASTER_REGION, SIZE)
+            let before = Some(rect([0, 0], SIZE));
+            Damage::new(drawn, before, SIZE).drawn_regions(RASTER_REGION)
         };
         let [width, height] = SIZE.map(|side| side.div_ceil(RASTER_REGION));
-        assert_eq!(sampled([1, 1], [31, 31]), [[0, 0], [1, 1]]);
-        assert_eq!(sampled([32, 33], [63, 64]), [[0, 1], [2, 3]]);
-        assert_eq!(sampled([0, 0], SIZE), [[0, 0], [width, height]]);
+        assert_eq!(drawn_regions([1, 1], [32, 31]), [[0, 0], [1, 1]]);
+        assert_eq!(drawn_regions([32, 33], [65, 64]), [[1, 1], [3, 2]]);
+        assert_eq!(drawn_regions([0, 0], SIZE), [[0, 0], [width, height]]);
     }
 }

@@ -224,7 +224,7 @@ pub enum Pass {
         /// The layer's image.
         target: Target,
     },
-    /// Finds the depth behind which nothing shows, at every second pixel.
+    /// Finds the depth behind which hardly anything shows, for each four pixels.
     Saturation,
     /// Blends the lists of splats, tile by tile, in a compute kernel.
     RasterTiles {

@@ -288,10 +288,6 @@ pub struct SettingsBlock {
     pub pairs_start: u32,
     /// [`BinLayout::pairs`](super::BinLayout::pairs).
     pub pair_capacity: u32,
-    /// How far outside a bin a splat's box may lie and still be in its list, px.
-    pub bin_margin: f32,
-    /// Padding.
-    pub unused: [u32; 3],
 }
 
 /// Counts that the sort writes and the draw reads. The first five words are a

@@ -1,4 +1,4 @@
-//! Stage `saturation`: behind which splat nothing shows, at samples of every second pixel.
+//! Stage `saturation`: behind which splat hardly anything shows, at samples for four pixels each.
 
 use super::{
     project::{Culled, Splat},
@@ -7,9 +7,18 @@ use super::{
 use crate::scene::Camera;
 use glam::DVec2;
 
+/// From a sample to the four pixels around it, px.
+const AROUND: [DVec2; 4] = [
+    DVec2::new(-0.5, -0.5),
+    DVec2::new(0.5, -0.5),
+    DVec2::new(-0.5, 0.5),
+    DVec2::new(0.5, 0.5),
+];
+
 /// The splat with which each sample is saturated: after it, less than `threshold` of what lies
 /// behind shows. None where no splat does that. `order`: far to near. Samples lie where four pixels
-/// meet, at (2 i + 1, 2 j + 1) px, row by row from the top left.
+/// meet, at (2 i + 1, 2 j + 1) px, row by row from the top left, also beyond the image's edge. A
+/// splat has its least opacity at the four pixels, so that at none of them more shows.
 pub fn saturating(
     splats: &[Result<Splat, Culled>],
     order: &[u32],
@@ -33,7 +42,12 @@ pub fn saturating(
             for x in first(0) as usize..end(0, width) {
                 let at = DVec2::new(2.0 * x as f64 + 1.0, 2.0 * y as f64 + 1.0);
                 let sample = y * width + x;
-                if let Some(alpha) = ellipse.visible_alpha_at(at)
+                // None where it does not show at one of them.
+                let least = AROUND
+                    .map(|step| ellipse.visible_alpha_at(at + step))
+                    .into_iter()
+                    .try_fold(1.0, |least: f64, alpha| Some(least.min(alpha?)));
+                if let Some(alpha) = least
                     && light[sample] >= threshold
                 {
                     light[sample] *= 1.0 - alpha;

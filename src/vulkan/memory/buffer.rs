@@ -143,7 +143,7 @@ pub(crate) fn upload_all(gpu: &Arc<Gpu>, uploads: &[Upload]) -> Result<()> {
 }
 
 impl Buffer {
-    /// `size` is rounded up to at least [`LEAST`]: Vulkan has no empty buffers, avatars have empty
+    /// `size` is rounded up to at least 16 bytes: Vulkan has no empty buffers, avatars have empty
     /// arrays.
     pub fn new(
         gpu: &Arc<Gpu>,

@@ -15,8 +15,8 @@ use std::sync::Arc;
 /// Use of a kernel's image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundImage {
-    /// Reads a colour image, which a kernel wrote, through a sampler.
-    Gathered,
+    /// Fetches texels that a kernel wrote.
+    Read,
     /// Writes texels.
     Written,
 }
@@ -24,7 +24,7 @@ pub enum BoundImage {
 impl BoundImage {
     fn kind(self) -> vk::DescriptorType {
         match self {
-            Self::Gathered => vk::DescriptorType::COMBINED_IMAGE_SAMPLER,
+            Self::Read => vk::DescriptorType::COMBINED_IMAGE_SAMPLER,
             Self::Written => vk::DescriptorType::STORAGE_IMAGE,
         }
     }

@@ -31,13 +31,11 @@ pub struct Bins {
     sort: Sort,
     starts: Kernel,
     layout: BinLayout,
-    margin: f64,
     buffer: Buffer,
 }
 
 impl Bins {
-    /// `margin`: how far outside a bin a splat's box may lie and still be in its list, px.
-    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, margin: f64) -> Result<Self> {
+    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs) -> Result<Self> {
         let layout = BinLayout::new(inputs.capacity);
         let limit = gpu.probe.limits.max_compute_work_group_count[0];
         if layout.blocks > limit {
@@ -65,7 +63,7 @@ impl Bins {
         // SAFETY: this owns the buffer beside the sort, and is dropped after the frames in flight;
         // the keys have room for all pairs.
         let sort = unsafe { Sort::new(gpu, keys, &buffer, layout.pairs, options) }?;
-        let constants = constants_of(&layout, margin, [0; 3]);
+        let constants = constants_of(&layout, [0; 3]);
         let kernel = |module: &'static Module, storage: &[Slice]| {
             let resources = Resources {
                 uniform: Some(inputs.frame),
@@ -82,7 +80,6 @@ impl Bins {
             starts: kernel(&shaders::BINNING_STARTS, &[sort.order(), bins])?,
             sort,
             layout,
-            margin,
             buffer,
         })
     }
@@ -100,8 +97,8 @@ impl Bins {
 
     /// Specialization constants of a kernel that reads the lists: three of its own, then where the
     /// parts of the buffer are.
-    pub fn constants(&self, own: [u32; 3]) -> [u32; 10] {
-        constants_of(&self.layout, self.margin, own)
+    pub fn constants(&self, own: [u32; 3]) -> [u32; 9] {
+        constants_of(&self.layout, own)
     }
 
     /// The pairs in the order of bins, and the buffer with everything else.
@@ -141,7 +138,7 @@ impl Bins {
     }
 }
 
-fn constants_of(layout: &BinLayout, margin: f64, own: [u32; 3]) -> [u32; 10] {
+fn constants_of(layout: &BinLayout, own: [u32; 3]) -> [u32; 9] {
     let [first, second, third] = own;
     [
         first,
@@ -153,6 +150,5 @@ fn constants_of(layout: &BinLayout, margin: f64, own: [u32; 3]) -> [u32; 10] {
         layout.keys_start,
         layout.marks_start,
         layout.pairs,
-        (margin as f32).to_bits(),
     ]
 }

@@ -1,6 +1,6 @@
 //! The `saturation` stage, which the quads' depth test needs: order, splats and bins go in, an
-//! image of depths and colours comes out, a sample for every second pixel in x and y. Behind a
-//! sample's depth hardly anything shows. [`SaturationDepth`] writes it to the depth attachment of
+//! image of depths and colours comes out, a sample for every four pixels. Behind a sample's depth
+//! hardly anything shows at any of the four. [`SaturationDepth`] writes it to the depth attachment of
 //! the quads, and the colour to the image under them.
 
 use super::{
@@ -29,10 +29,6 @@ use std::sync::Arc;
 /// Every device can write and sample it.
 const FORMAT: vk::Format = vk::Format::R32_UINT;
 
-/// How far outside a region a pixel may lie of which one of the four nearest samples is the
-/// region's, px.
-const MARGIN: f64 = 1.0;
-
 /// The kernel, its image, and what draws the image as depth.
 pub struct Saturation {
     gpu: Arc<Gpu>,
@@ -50,7 +46,7 @@ impl Saturation {
         render_pass: &RenderPass,
         options: &RendererOptions,
     ) -> Result<Self> {
-        let bins = Bins::new(gpu, inputs, MARGIN)?;
+        let bins = Bins::new(gpu, inputs)?;
         let [sorted, lists] = bins.storage();
         let resources = Resources {
             uniform: Some(inputs.frame),
@@ -150,7 +146,7 @@ impl Saturation {
         };
         // SAFETY: the image is alive.
         unsafe { commands.change_layout(self.image.raw(), begin) };
-        let [first, end] = draw.damage.sampled_regions(SATURATION_REGION, draw.size);
+        let [first, end] = draw.damage.drawn_regions(SATURATION_REGION);
         self.kernel
             .dispatch_within(commands, draw.frame, first, end);
     }
@@ -207,15 +203,11 @@ struct SaturationDepth {
 impl SaturationDepth {
     fn new(gpu: &Arc<Gpu>, render_pass: &RenderPass) -> Result<Self> {
         let resources = Resources {
-            image: Some(BoundImage::Gathered),
+            image: Some(BoundImage::Read),
             ..Resources::default()
         };
         let stages = vk::ShaderStageFlags::FRAGMENT;
         let bindings = Bindings::new(gpu, "saturation depth", stages, resources)?;
-        let edge = vk::SamplerAddressMode::CLAMP_TO_EDGE;
-        let info = vk::SamplerCreateInfo::default()
-            .address_mode_u(edge)
-            .address_mode_v(edge);
         let replace = vk::PipelineColorBlendAttachmentState::default();
         let drawing = Drawing {
             name: "saturation depth",
@@ -230,7 +222,7 @@ impl SaturationDepth {
         Ok(Self {
             pipeline: graphics::pipeline(gpu, drawing)?,
             bindings,
-            sampler: Sampler::with(&gpu.device, &info, "saturation")?,
+            sampler: Sampler::with(&gpu.device, &vk::SamplerCreateInfo::default(), "saturation")?,
         })
     }
 }

@@ -90,7 +90,7 @@ impl Tiles {
             TileKernel::PerThread | TileKernel::Cooperative => {
                 Lists::Runs(Box::new(Runs::new(gpu, inputs)?))
             }
-            TileKernel::Shared => Lists::Bins(Box::new(Bins::new(gpu, inputs, 0.0)?)),
+            TileKernel::Shared => Lists::Bins(Box::new(Bins::new(gpu, inputs)?)),
         };
         Ok(Self {
             gpu: gpu.clone(),

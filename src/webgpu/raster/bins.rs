@@ -118,15 +118,13 @@ impl Bins {
         })
     }
 
-    /// Writes to the settings block where the lists are. `margin`: how far outside a bin a splat's
-    /// box may lie and still be in its list, px.
-    pub fn fill(settings: &mut SettingsBlock, capacity: u32, margin: f64) {
+    /// Writes to the settings block where the lists are.
+    pub fn fill(settings: &mut SettingsBlock, capacity: u32) {
         let layout = BinLayout::new(capacity);
         settings.counts_start = layout.counts_start;
         settings.starts_start = layout.starts_start;
         settings.pairs_start = layout.pairs_start;
         settings.pair_capacity = layout.pairs;
-        settings.bin_margin = margin as f32;
     }
 
     /// The pairs in the order of bins.

@@ -119,7 +119,7 @@ impl Raster {
                 } else {
                     0.0
                 };
-                Bins::fill(settings, capacity, 0.0);
+                Bins::fill(settings, capacity);
             }
         }
     }
@@ -188,9 +188,9 @@ impl Raster {
 
     /// Column and row of the first region that a frame draws into an image of a size, or has
     /// samples of.
-    pub fn first_region(&self, damage: &Damage, size: [u32; 2]) -> [u32; 2] {
+    pub fn first_region(&self, damage: &Damage) -> [u32; 2] {
         match &self.way {
-            Way::Quads(_) => damage.sampled_regions(SATURATION_REGION, size)[0],
+            Way::Quads(_) => damage.drawn_regions(SATURATION_REGION)[0],
             Way::Tiles(tiles) => damage.regions(tiles.region())[0],
         }
     }

@@ -1,6 +1,6 @@
 //! The `saturation` stage, which the quads' depth test needs: splats and bins go in, an image of
-//! depths and colours comes out, a sample for every second pixel in x and y. Behind a sample's
-//! depth hardly anything shows. A triangle over the whole image writes it to the depth image of the
+//! depths and colours comes out, a sample for every four pixels. Behind a sample's depth hardly
+//! anything shows at any of the four. A triangle over the whole image writes it to the depth image of the
 //! quads, and the colour to the image under them.
 
 use super::{
@@ -24,10 +24,6 @@ use wgpu::{ShaderStages, TextureFormat, TextureUsages, TextureView};
 
 /// Every device can write and read it.
 const FORMAT: TextureFormat = TextureFormat::R32Uint;
-
-/// How far outside a region a pixel may lie of which one of the four nearest samples is the
-/// region's, px.
-const MARGIN: f64 = 1.0;
 
 /// What is made anew when the image's size changes.
 struct Images {
@@ -88,7 +84,7 @@ impl Saturation {
     /// Writes what its shaders read to the settings block.
     pub fn fill(settings: &mut SettingsBlock, options: &RendererOptions, capacity: u32) {
         settings.saturation = saturation_light(options.cutoff) as f32;
-        Bins::fill(settings, capacity, MARGIN);
+        Bins::fill(settings, capacity);
     }
 
     /// Changes the size of the quads' image.
@@ -118,7 +114,7 @@ impl Saturation {
 
     /// Finds the depth of each sample that a pixel looks at which is drawn. Reads the lists.
     pub fn record(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
-        let [first, end] = draw.damage.sampled_regions(SATURATION_REGION, draw.size);
+        let [first, end] = draw.damage.drawn_regions(SATURATION_REGION);
         let groups = [end[0] - first[0], end[1] - first[1]];
         self.kernel.dispatch(pass, draw.block, groups);
     }

@@ -318,21 +318,15 @@ pub fn avatar_in_bins() -> Avatar {
     )
 }
 
-/// Every bin must have the splats whose boxes come within `margin` of it, px, in the drawing order.
+/// Every bin must have the splats whose boxes meet it, in the drawing order.
 /// `distance`: of the camera, metres.
-pub fn check_bins(
-    bins: &BinLists,
-    order: &[u32],
-    reference: &ReferenceFrame,
-    margin: f64,
-    distance: f64,
-) {
+pub fn check_bins(bins: &BinLists, order: &[u32], reference: &ReferenceFrame, distance: f64) {
     let mut met = 0;
     for (number, list) in (0..).zip(&bins.lists) {
         let bin = [number % bins.columns, number / bins.columns];
         // Near splats are large, and so is what rounding their axes moves their edges by.
         let rounding = 0.3 / distance;
-        let [must, may] = [margin - rounding, margin + rounding]
+        let [must, may] = [-rounding, rounding]
             .map(|slack| binning::bin(&reference.splats, order, bin, bins.side, slack));
         // Both are in the drawing order: what must be there is a subsequence of the list, and the
         // list one of what may be there.
@@ -347,10 +341,8 @@ pub fn check_bins(
     assert!(met > 100, "{met} pairs from {distance} m");
 }
 
-/// Every bin has the splats whose boxes meet it, and with quads those that come within a pixel.
 fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
     let device = gpu::gpu();
-    let margin = if raster == TestedQuads { 1.0 } else { 0.0 };
     let mut sides = Vec::new();
     let avatar = avatar_in_bins();
     for (distance, posed, camera) in views_of_bins(&avatar) {
@@ -364,7 +356,7 @@ fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
         let bins = renderer.raster().bin_lists().unwrap().unwrap();
         let order = renderer.stages().unwrap().order;
         let reference = ReferenceFrame::new(&avatar, &posed, &camera);
-        check_bins(&bins, &order, &reference, margin, distance);
+        check_bins(&bins, &order, &reference, distance);
         sides.push(bins.side);
     }
     assert!(sides.contains(&32) && sides.contains(&64), "{sides:?}");

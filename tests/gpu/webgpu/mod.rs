@@ -219,7 +219,7 @@ fn each_bin_has_the_splats_that_meet_it_nearest_first() {
         let bins = renderer.bin_lists().unwrap().unwrap();
         let order = renderer.stages().unwrap().order;
         let reference = reference::ReferenceFrame::new(&avatar, &posed, &camera);
-        check_bins(&bins, &order, &reference, 0.0, distance);
+        check_bins(&bins, &order, &reference, distance);
         sides.push(bins.side);
     }
     assert!(sides.contains(&32) && sides.contains(&64), "{sides:?}");

@@ -249,20 +249,12 @@ impl ImageBound {
         tested: bool,
     ) -> Self {
         let ordered = Ordered::new(splats, rounding.keys.largest());
-        let samples = tested.then(|| SaturatedKeys::new(&ordered, size, rounding));
         let width = size[0] as usize;
         let mut pixels = vec![PixelBound::default(); width * size[1] as usize];
-        pixels
-            .par_chunks_mut(width)
-            .enumerate()
-            .for_each_init(Vec::new, |layers, (y, row)| {
-                let grid = Row {
-                    y: y as f64 + 0.5,
-                    first: 0.5,
-                    step: 1.0,
-                    count: width,
-                };
-                grid.find_layers(&ordered, layers);
+        pixels.par_chunks_mut(width).enumerate().for_each_init(
+            || vec![Vec::new(); width],
+            |layers, (y, row)| {
+                find_layers(&ordered, y, layers);
                 for (x, layers) in layers.iter_mut().enumerate() {
                     if !contains(drawn, [x, y]) {
                         for layer in layers.iter_mut() {
@@ -271,10 +263,16 @@ impl ImageBound {
                             }
                         }
                     }
-                    let lost = samples.as_ref().map_or(0.0, |samples| samples.at([x, y]));
+                    // A sample is saturated no sooner than each of its four pixels.
+                    let lost = if tested {
+                        ordered.saturated_key(layers, saturation_light(rounding.cutoff))
+                    } else {
+                        0.0
+                    };
                     row[x] = ordered.blend(layers, rounding, lost);
                 }
-            });
+            },
+        );
         Self { size, pixels }
     }
 
@@ -354,82 +352,26 @@ fn contains(rect: PixelRect, pixel: [usize; 2]) -> bool {
     rect.min.cmple(at).all() && at.cmplt(rect.max).all()
 }
 
-/// Places in a row of the image.
-struct Row {
-    y: f64,
-    first: f64,
-    step: f64,
-    count: usize,
-}
-
-impl Row {
-    /// The layers at each place, nearest first, in place of those that are there: their memory
-    /// serves many rows.
-    fn find_layers(&self, ordered: &Ordered, all: &mut Vec<Vec<Layer>>) {
-        all.resize_with(self.count, Vec::new);
-        all.iter_mut().for_each(Vec::clear);
-        for (rank, splat) in ordered.splats.iter().enumerate() {
-            if (self.y - splat.center.y).abs() > splat.reach.y {
-                continue;
-            }
-            let place = |x: f64| (x - self.first) / self.step;
-            // The casts saturate.
-            let from = place(splat.center.x - splat.reach.x).ceil().max(0.0) as usize;
-            let end = (place(splat.center.x + splat.reach.x).floor() + 1.0).max(0.0) as usize;
-            let end = end.min(self.count);
-            for (x, layers) in all[..end].iter_mut().enumerate().skip(from) {
-                let at = DVec2::new(self.first + self.step * x as f64, self.y);
-                if let Some(alpha) = splat.alpha(at) {
-                    layers.push(Layer {
-                        rank: rank as u32,
-                        alpha,
-                    });
-                }
+/// The layers at each pixel of a row, nearest first, in place of those that are there: their memory
+/// serves many rows. `all`: as many as the row has pixels.
+fn find_layers(ordered: &Ordered, row: usize, all: &mut [Vec<Layer>]) {
+    all.iter_mut().for_each(Vec::clear);
+    let y = row as f64 + 0.5;
+    for (rank, splat) in ordered.splats.iter().enumerate() {
+        if (y - splat.center.y).abs() > splat.reach.y {
+            continue;
+        }
+        // The casts saturate.
+        let from = (splat.center.x - splat.reach.x - 0.5).ceil().max(0.0) as usize;
+        let end = (splat.center.x + splat.reach.x + 0.5).floor().max(0.0) as usize;
+        let end = end.min(all.len());
+        for (x, layers) in all[..end].iter_mut().enumerate().skip(from) {
+            if let Some(alpha) = splat.alpha(DVec2::new(x as f64 + 0.5, y)) {
+                layers.push(Layer {
+                    rank: rank as u32,
+                    alpha,
+                });
             }
         }
-    }
-}
-
-/// The largest key at which each sample of the saturation stage may be saturated: at every second
-/// pixel, where four of them meet.
-struct SaturatedKeys {
-    size: [usize; 2],
-    keys: Vec<f64>,
-}
-
-impl SaturatedKeys {
-    fn new(ordered: &Ordered, size: [u32; 2], rounding: &Rounding) -> Self {
-        let [width, height] = size.map(|side| side.div_ceil(2) as usize);
-        let keys = (0..height)
-            .into_par_iter()
-            .flat_map_iter(|y| {
-                let row = Row {
-                    y: 2.0 * y as f64 + 1.0,
-                    first: 1.0,
-                    step: 2.0,
-                    count: width,
-                };
-                let mut layers = Vec::new();
-                row.find_layers(ordered, &mut layers);
-                layers
-                    .into_iter()
-                    .map(|layers| ordered.saturated_key(&layers, saturation_light(rounding.cutoff)))
-            })
-            .collect();
-        Self {
-            size: [width, height],
-            keys,
-        }
-    }
-
-    /// The smallest of the four samples around a pixel, beyond the edge those at it.
-    fn at(&self, pixel: [usize; 2]) -> f64 {
-        let [columns, rows] = [0, 1].map(|axis| {
-            let after = pixel[axis].div_ceil(2).min(self.size[axis] - 1);
-            [pixel[axis].div_ceil(2).saturating_sub(1).min(after), after]
-        });
-        rows.into_iter()
-            .flat_map(|y| columns.map(|x| self.keys[y * self.size[0] + x]))
-            .fold(f64::INFINITY, f64::min)
     }
 }

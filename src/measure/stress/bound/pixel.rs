@@ -87,7 +87,7 @@ impl Ordered {
         self.at(further).may_pass(self.at(nearer), self.key_max)
     }
 
-    /// The largest key at which a device may find a sample saturated: what has a smaller key may be
+    /// The largest key at which a device may find a pixel saturated: what has a smaller key may be
     /// left out. 0 where that can't be.
     pub fn saturated_key(&self, layers: &[Layer], threshold: f64) -> f64 {
         let mut by_key: Vec<&Layer> = layers.iter().collect();
