@@ -14,6 +14,9 @@ const QUAD_VERTICES: f64 = 4.0;
 /// Fewest instructions to evaluate a splat at a pixel or a sample: offset, exponent, exponential,
 /// opacity and transmittance (docs/experiments/038).
 const FEWEST_A_SAMPLE: f64 = 10.0;
+/// Instructions more for the least opacity at a sample's four pixels: two products of two terms, two
+/// multiplications with an addition, a maximum and a difference.
+const LEAST_OF_FOUR: f64 = 8.0;
 /// More instructions than a fragment that a kernel needs to blend four channels by itself.
 const BLENDING: f64 = 8.0;
 /// Splats that an invocation of the binning kernels takes.
@@ -247,8 +250,8 @@ impl Work<'_> {
             "saturation" => {
                 let samples = self.counted.counter("samples")?;
                 Some(Range {
-                    low: FEWEST_A_SAMPLE * samples,
-                    high: self.fragment()? * samples,
+                    low: (FEWEST_A_SAMPLE + LEAST_OF_FOUR) * samples,
+                    high: (self.fragment()? + LEAST_OF_FOUR) * samples,
                 })
             }
             "raster" if self.draws_quads() => Some(self.quads()?),

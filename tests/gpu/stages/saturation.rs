@@ -1,18 +1,26 @@
 //! The `saturation` stage: the depth behind which nothing shows, against the reference.
 
-use crate::common::gpu;
+use crate::common::{
+    self,
+    gpu::{
+        self,
+        Raster::{self, Quads, TestedQuads},
+    },
+};
 use effigy::vulkan::{
     Renderer, RendererOptions,
     raster::RasterMethod,
     sort::KeyBits::{self, Sixteen, ThirtyTwo},
 };
 use effigy_core::{
-    avatar::{Avatar, motion::Player},
+    avatar::{Avatar, Pose, motion::Player},
     constants::{ALPHA_MIN, saturation_light},
-    frame::Skip,
+    frame::{ColorFormat, Skip},
+    io::splats::Splats,
     reference::{ReferenceFrame, saturation},
-    scene::{AvatarBounds, Camera, Posed},
+    scene::{AvatarBounds, Camera, Posed, Supersampling},
 };
+use glam::{DAffine3, DVec2};
 
 /// A frame of which a device found the saturation depths.
 pub struct Sampled<'a> {
@@ -114,7 +122,85 @@ fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
     }
 }
 
+/// Upright needles, opaque and far thinner than a pixel, at every column of samples, and a white wall
+/// behind them that shows between. `layers`: needles one behind the other.
+fn fence(layers: usize) -> Splats {
+    const SIDE: usize = 64;
+    let mut splats = common::splats(1, 0, 0);
+    // `place`: px from the image's middle, and metres away; `scale`: px.
+    let mut push = |[x, y, depth]: [f64; 3], scale: [f64; 3], color: f32| {
+        let metres = depth / SIDE as f64;
+        let place = [x * metres, y * metres, depth];
+        splats.position.push(place.map(|v| v as f32));
+        splats.rotation.push([1.0, 0.0, 0.0, 0.0]);
+        splats
+            .log_scale
+            .push(scale.map(|px| (px * metres).ln() as f32));
+        splats.opacity.push(9.0);
+        splats.color.push([color; 3]);
+    };
+    for column in 0..SIDE / 2 {
+        let x = 2.0 * column as f64 + 1.0 - SIDE as f64 / 2.0;
+        // Not all at one height: the box around their centres has an area.
+        let y = if column % 2 == 0 { -8.0 } else { 8.0 };
+        for layer in 0..layers {
+            push([x, y, 1.0 + 1e-3 * layer as f64], [0.05, 80.0, 0.05], -1.7);
+        }
+    }
+    push([0.0, 0.0, 1.5], [300.0, 300.0, 0.05], 1.7);
+    splats
+}
+
+/// What shows between samples is drawn, however thin, unless it is less than the threshold.
+fn gaps_between_samples_are_not_covered() {
+    let device = gpu::gpu();
+    let size = [64, 64];
+    let camera = Camera {
+        view: DAffine3::IDENTITY,
+        focal: DVec2::splat(64.0),
+        center: DVec2::splat(32.0),
+        size,
+        near: 0.1,
+    };
+    // A needle lets a third of the wall through half a pixel beside it, three of them a thirtieth.
+    for (layers, shows, lost) in [(1, 0.25..0.45, 0.0..0.01), (3, 0.03..0.07, 0.01..0.05)] {
+        let avatar = fence(layers).to_avatar("fence").unwrap();
+        let rest = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
+        let posed = Posed::new(&avatar, &rest);
+        let image = |raster: Raster| {
+            let options = RendererOptions {
+                supersampling: Supersampling::OFF,
+                color: Some(ColorFormat::Rgba16F),
+                key_bits: Some(ThirtyTwo),
+                ..raster.options(&device.probe.name, size)
+            };
+            let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+            renderer.draw(&posed, &camera, None).unwrap();
+            renderer.read_image().unwrap()
+        };
+        let [whole, tested] = [Quads, TestedQuads].map(image);
+        let middle = f64::from(whole.pixels[32 * 64 + 32][0]);
+        assert!(
+            shows.contains(&middle),
+            "{middle} of the wall shows behind {layers}"
+        );
+        let off = whole
+            .pixels
+            .iter()
+            .flatten()
+            .zip(tested.pixels.iter().flatten());
+        let off = off
+            .map(|(a, b)| f64::from((a - b).abs()))
+            .fold(0.0, f64::max);
+        assert!(
+            lost.contains(&off),
+            "{off} of the wall is lost behind {layers}"
+        );
+    }
+}
+
 tests! {
+    gaps_between_samples_are_not_covered,
     samples_are_saturated_where_the_references_are[Sixteen],
     samples_are_saturated_where_the_references_are[ThirtyTwo],
 }
