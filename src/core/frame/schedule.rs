@@ -19,9 +19,9 @@ pub struct Barrier {
 
 /// Quads are tested against the saturation depth where avatars have at least this many pixels a
 /// Gaussian ([`Layer::pixels_a_gaussian`]). The 200K body has 1.0 at 1024 × 1024 px, where the test
-/// saves 2.6 fragments for each sample and the image is 64 dB from that of all fragments
-/// (docs/experiments/065). Smaller avatars are mostly drawn enlarged, which is never tested, and
-/// Gaussians fall between the samples of what is left: at 256 × 256 the image loses 2.7 dB (038).
+/// saves 1.8 fragments for each sample and the image is 65 dB from that of all fragments
+/// (docs/experiments/065, 066). Smaller avatars are mostly drawn enlarged, which is never tested, and
+/// Gaussians hardly reach all four pixels of a sample.
 pub const SATURATION_PIXELS: f64 = 0.75;
 
 /// Why a stage does not run in a frame.
