@@ -106,50 +106,32 @@ void load(uint thread, uint i, uvec4 packed, vec2 corner) {
     batch_shape[thread] = vec4(across, exponent, uintBitsToFloat(word));
 }
 
-// Opacity of a splat where its exponent is `power`; 0 under the cutoff.
-float opacity_of(float power) {
+// Opacity of a splat at a deviation; 0 under the cutoff. With MARKS the least at the four pixels
+// around a sample: the square of the distance to each is |deviation|² ± 2 deviation · step + |step|².
+// `right` and `down`: a px, in deviations.
+float opacity_at(vec2 deviation, float exponent, vec2 right, vec2 down) {
+    float power = exponent - dot(deviation, deviation);
+#ifdef MARKS
+    vec2 below = 0.5 * (right + down), above = 0.5 * (right - down);
+    power -= max(2.0 * abs(dot(deviation, below)) + dot(below, below),
+                 2.0 * abs(dot(deviation, above)) + dot(above, above));
+#endif
     return power >= CUTOFF_EXPONENT ? min(ALPHA_MAX, exp2(power)) : 0.0;
 }
-
-#ifdef MARKS
-// The step from a sample to two of the four pixels around it, in deviations: to the one below on
-// the right, to the one above on the right, and the squares of both. The others are opposite.
-struct Around {
-    vec2 below;
-    vec2 above;
-    vec2 squared;
-};
-
-// The least opacity at the pixels around a sample: the square of the distance to each is
-// |deviation|² ± 2 deviation · step + |step|².
-float opacity_at(vec2 deviation, float exponent, Around around) {
-    vec2 along = abs(vec2(dot(deviation, around.below), dot(deviation, around.above)));
-    vec2 further = 2.0 * along + around.squared;
-    return opacity_of(exponent - dot(deviation, deviation) - max(further.x, further.y));
-}
-#define OPACITY_AT(deviation, exponent) opacity_at(deviation, exponent, around)
-#else
-#define OPACITY_AT(deviation, exponent) opacity_of((exponent) - dot(deviation, deviation))
-#endif
 
 // `first`: an invocation's first sample, px from the region's corner.
 Seen see(uint k, vec2 first) {
     vec4 place = batch_place[k], shape = batch_shape[k];
     vec2 from = first - place.xy;
     vec2 deviation = vec2(dot(from, place.zw), dot(from, shape.xy));
-    vec2 px_right = vec2(place.z, shape.x), px_down = vec2(place.w, shape.y);
-    vec2 right = deviation + float(STEP) * px_right;
-    vec2 down = float(STEP) * px_down;
-#ifdef MARKS
-    Around around;
-    around.below = 0.5 * (px_right + px_down);
-    around.above = 0.5 * (px_right - px_down);
-    around.squared = vec2(dot(around.below, around.below), dot(around.above, around.above));
-#endif
+    vec2 right = vec2(place.z, shape.x), down = vec2(place.w, shape.y);
+    vec2 second = deviation + float(STEP) * right;
+    vec2 below = float(STEP) * down;
     Seen seen;
-    seen.opacity = vec4(OPACITY_AT(deviation, shape.z), OPACITY_AT(right, shape.z),
-                        OPACITY_AT(deviation + down, shape.z),
-                        OPACITY_AT(right + down, shape.z));
+    seen.opacity = vec4(opacity_at(deviation, shape.z, right, down),
+                        opacity_at(second, shape.z, right, down),
+                        opacity_at(deviation + below, shape.z, right, down),
+                        opacity_at(second + below, shape.z, right, down));
     seen.word = floatBitsToUint(shape.w);
     return seen;
 }

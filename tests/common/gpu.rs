@@ -28,8 +28,8 @@ pub fn gpu() -> Arc<Gpu> {
     open(GpuOptions::headless(None))
 }
 
-/// That device, for a test that draws triangles, or compares small avatars: a device that draws none
-/// draws them as large as they are shown.
+/// That device, for a test that draws triangles, or compares small avatars: a device that draws
+/// none draws them as large as they are shown.
 pub fn drawing() -> Arc<Gpu> {
     let device = gpu();
     if !device.probe.draws_triangles() {

@@ -660,10 +660,9 @@ fn every_candidate_of_this_device_is_right() {
 }
 
 fn a_real_device_that_is_lost_in_a_trial_is_opened_again() {
-    /// A candidate that every device has, and that is not the safest.
-    fn is_losing(candidate: &Candidate) -> bool {
-        candidate.workgroup == 32
-    }
+    /// Of a candidate that every device has, and that is not the safest.
+    const LOSING: u32 = 32;
+    let is_losing = |candidate: &Candidate| candidate.workgroup == LOSING;
 
     /// Loses a real device once it has drawn with that candidate.
     struct Losing<'a>(RendererTrials<'a>);
@@ -686,7 +685,7 @@ fn a_real_device_that_is_lost_in_a_trial_is_opened_again() {
             number: usize,
         ) -> Result<FramePair> {
             let pair = self.0.pair(best, candidate, number)?;
-            if candidate.options().workgroup == Some(32) {
+            if candidate.options().workgroup == Some(LOSING) {
                 return Err(Error::DeviceLost("a test"));
             }
             Ok(pair)

@@ -268,90 +268,121 @@ fn note_seen_u0028_u1_u003b(k: ptr<function, u32>) {
     return;
 }
 
-fn opacity_of_u0028_f1_u003b(power: ptr<function, f32>) -> f32 {
+fn opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>, right: ptr<function, vec2<f32>>, down: ptr<function, vec2<f32>>) -> f32 {
+    var power: f32;
     var local_1: f32;
 
-    let _e5 = (*power);
-    let _e7 = settings.cutoff_exponent;
-    if (_e5 >= _e7) {
-        let _e9 = (*power);
-        local_1 = min(0.99f, exp2(_e9));
+    let _e7 = (*exponent);
+    let _e8 = (*deviation);
+    let _e9 = (*deviation);
+    power = (_e7 - dot(_e8, _e9));
+    let _e12 = power;
+    let _e14 = settings.cutoff_exponent;
+    if (_e12 >= _e14) {
+        let _e16 = power;
+        local_1 = min(0.99f, exp2(_e16));
     } else {
         local_1 = 0f;
     }
-    let _e12 = local_1;
-    return _e12;
+    let _e19 = local_1;
+    return _e19;
 }
 
 fn see_u0028_u1_u003b_vf2_u003b(k_1: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
     var place: vec4<f32>;
     var shape: vec4<f32>;
     var from_: vec2<f32>;
-    var deviation: vec2<f32>;
-    var px_right: vec2<f32>;
-    var px_down: vec2<f32>;
-    var right: vec2<f32>;
-    var down: vec2<f32>;
+    var deviation_1: vec2<f32>;
+    var right_1: vec2<f32>;
+    var down_1: vec2<f32>;
+    var second: vec2<f32>;
+    var below: vec2<f32>;
     var seen_1: Seen;
-    var param_19: f32;
+    var param_19: vec2<f32>;
     var param_20: f32;
-    var param_21: f32;
-    var param_22: f32;
+    var param_21: vec2<f32>;
+    var param_22: vec2<f32>;
+    var param_23: vec2<f32>;
+    var param_24: f32;
+    var param_25: vec2<f32>;
+    var param_26: vec2<f32>;
+    var param_27: vec2<f32>;
+    var param_28: f32;
+    var param_29: vec2<f32>;
+    var param_30: vec2<f32>;
+    var param_31: vec2<f32>;
+    var param_32: f32;
+    var param_33: vec2<f32>;
+    var param_34: vec2<f32>;
 
-    let _e22 = (*k_1);
-    let _e24 = batch_place[_e22];
-    place = _e24;
-    let _e25 = (*k_1);
-    let _e27 = batch_shape[_e25];
-    shape = _e27;
-    let _e28 = (*first_1);
-    let _e29 = place;
-    from_ = (_e28 - _e29.xy);
-    let _e32 = from_;
-    let _e33 = place;
-    let _e36 = from_;
-    let _e37 = shape;
-    deviation = vec2<f32>(dot(_e32, _e33.zw), dot(_e36, _e37.xy));
-    let _e42 = place[2u];
-    let _e44 = shape[0u];
-    px_right = vec2<f32>(_e42, _e44);
-    let _e47 = place[3u];
-    let _e49 = shape[1u];
-    px_down = vec2<f32>(_e47, _e49);
-    let _e51 = deviation;
-    let _e52 = px_right;
-    right = (_e51 + (_e52 * 1f));
-    let _e55 = px_down;
-    down = (_e55 * 1f);
-    let _e58 = shape[2u];
-    let _e59 = deviation;
-    let _e60 = deviation;
-    param_19 = (_e58 - dot(_e59, _e60));
-    let _e63 = opacity_of_u0028_f1_u003b((&param_19));
-    let _e65 = shape[2u];
-    let _e66 = right;
-    let _e67 = right;
-    param_20 = (_e65 - dot(_e66, _e67));
-    let _e70 = opacity_of_u0028_f1_u003b((&param_20));
-    let _e72 = shape[2u];
-    let _e73 = deviation;
-    let _e74 = down;
-    let _e76 = deviation;
-    let _e77 = down;
-    param_21 = (_e72 - dot((_e73 + _e74), (_e76 + _e77)));
-    let _e81 = opacity_of_u0028_f1_u003b((&param_21));
-    let _e83 = shape[2u];
-    let _e84 = right;
-    let _e85 = down;
-    let _e87 = right;
-    let _e88 = down;
-    param_22 = (_e83 - dot((_e84 + _e85), (_e87 + _e88)));
-    let _e92 = opacity_of_u0028_f1_u003b((&param_22));
-    seen_1.opacity = vec4<f32>(_e63, _e70, _e81, _e92);
-    let _e96 = shape[3u];
-    seen_1.word = bitcast<u32>(_e96);
-    let _e99 = seen_1;
-    return _e99;
+    let _e34 = (*k_1);
+    let _e36 = batch_place[_e34];
+    place = _e36;
+    let _e37 = (*k_1);
+    let _e39 = batch_shape[_e37];
+    shape = _e39;
+    let _e40 = (*first_1);
+    let _e41 = place;
+    from_ = (_e40 - _e41.xy);
+    let _e44 = from_;
+    let _e45 = place;
+    let _e48 = from_;
+    let _e49 = shape;
+    deviation_1 = vec2<f32>(dot(_e44, _e45.zw), dot(_e48, _e49.xy));
+    let _e54 = place[2u];
+    let _e56 = shape[0u];
+    right_1 = vec2<f32>(_e54, _e56);
+    let _e59 = place[3u];
+    let _e61 = shape[1u];
+    down_1 = vec2<f32>(_e59, _e61);
+    let _e63 = deviation_1;
+    let _e64 = right_1;
+    second = (_e63 + (_e64 * 1f));
+    let _e67 = down_1;
+    below = (_e67 * 1f);
+    let _e69 = deviation_1;
+    param_19 = _e69;
+    let _e71 = shape[2u];
+    param_20 = _e71;
+    let _e72 = right_1;
+    param_21 = _e72;
+    let _e73 = down_1;
+    param_22 = _e73;
+    let _e74 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_19), (&param_20), (&param_21), (&param_22));
+    let _e75 = second;
+    param_23 = _e75;
+    let _e77 = shape[2u];
+    param_24 = _e77;
+    let _e78 = right_1;
+    param_25 = _e78;
+    let _e79 = down_1;
+    param_26 = _e79;
+    let _e80 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_23), (&param_24), (&param_25), (&param_26));
+    let _e81 = deviation_1;
+    let _e82 = below;
+    param_27 = (_e81 + _e82);
+    let _e85 = shape[2u];
+    param_28 = _e85;
+    let _e86 = right_1;
+    param_29 = _e86;
+    let _e87 = down_1;
+    param_30 = _e87;
+    let _e88 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_27), (&param_28), (&param_29), (&param_30));
+    let _e89 = second;
+    let _e90 = below;
+    param_31 = (_e89 + _e90);
+    let _e93 = shape[2u];
+    param_32 = _e93;
+    let _e94 = right_1;
+    param_33 = _e94;
+    let _e95 = down_1;
+    param_34 = _e95;
+    let _e96 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_31), (&param_32), (&param_33), (&param_34));
+    seen_1.opacity = vec4<f32>(_e74, _e80, _e88, _e96);
+    let _e100 = shape[3u];
+    seen_1.word = bitcast<u32>(_e100);
+    let _e103 = seen_1;
+    return _e103;
 }
 
 fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b(samples_2: ptr<function, Samples>, hits: ptr<function, u32>, from_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
@@ -360,18 +391,18 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_
     var l: u32;
     var local_2: u32;
     var seen_2: Seen;
-    var param_23: u32;
-    var param_24: vec2<f32>;
-    var second: Seen;
-    var param_25: u32;
-    var param_26: vec2<f32>;
-    var param_27: u32;
-    var param_28: Samples;
-    var param_29: Seen;
+    var param_35: u32;
+    var param_36: vec2<f32>;
+    var second_1: Seen;
+    var param_37: u32;
+    var param_38: vec2<f32>;
+    var param_39: u32;
+    var param_40: Samples;
+    var param_41: Seen;
     var shows: bool;
-    var param_30: u32;
-    var param_31: Samples;
-    var param_32: Seen;
+    var param_42: u32;
+    var param_43: Samples;
+    var param_44: Seen;
 
     loop {
         let _e27 = (*hits);
@@ -400,26 +431,26 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_
             let _e53 = (*hits);
             (*hits) = (_e53 & (_e51 - 1u));
             let _e55 = k_2;
-            param_23 = _e55;
+            param_35 = _e55;
             let _e56 = (*first_2);
-            param_24 = _e56;
-            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_23), (&param_24));
+            param_36 = _e56;
+            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_35), (&param_36));
             seen_2 = _e57;
             let _e58 = l;
-            param_25 = _e58;
+            param_37 = _e58;
             let _e59 = (*first_2);
-            param_26 = _e59;
-            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_25), (&param_26));
-            second = _e60;
+            param_38 = _e59;
+            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_37), (&param_38));
+            second_1 = _e60;
             let _e61 = k_2;
-            param_27 = _e61;
-            note_seen_u0028_u1_u003b((&param_27));
+            param_39 = _e61;
+            note_seen_u0028_u1_u003b((&param_39));
             let _e62 = (*samples_2);
-            param_28 = _e62;
+            param_40 = _e62;
             let _e63 = seen_2;
-            param_29 = _e63;
-            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_28), (&param_29));
-            let _e64 = param_28;
+            param_41 = _e63;
+            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_40), (&param_41));
+            let _e64 = param_40;
             (*samples_2) = _e64;
             let _e65 = both;
             let _e67 = (*samples_2).open;
@@ -427,18 +458,18 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_
             let _e69 = shows;
             if _e69 {
                 let _e70 = l;
-                param_30 = _e70;
-                note_seen_u0028_u1_u003b((&param_30));
+                param_42 = _e70;
+                note_seen_u0028_u1_u003b((&param_42));
             }
             let _e71 = shows;
-            let _e74 = second.opacity;
-            second.opacity = (_e74 * select(0f, 1f, _e71));
+            let _e74 = second_1.opacity;
+            second_1.opacity = (_e74 * select(0f, 1f, _e71));
             let _e77 = (*samples_2);
-            param_31 = _e77;
-            let _e78 = second;
-            param_32 = _e78;
-            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_31), (&param_32));
-            let _e79 = param_31;
+            param_43 = _e77;
+            let _e78 = second_1;
+            param_44 = _e78;
+            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_43), (&param_44));
+            let _e79 = param_43;
             (*samples_2) = _e79;
             let _e80 = shows;
             let _e83 = (*samples_2).evaluated;
@@ -466,14 +497,14 @@ fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
 
 fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word: ptr<function, u32>) -> u32 {
     var place_1: vec2<u32>;
-    var param_33: u32;
+    var param_45: u32;
     var hits_1: u32;
     var k_3: u32;
     var bits_1: u32;
 
     let _e15 = (*thread);
-    param_33 = _e15;
-    let _e16 = place_of_u0028_u1_u003b((&param_33));
+    param_45 = _e15;
+    let _e16 = place_of_u0028_u1_u003b((&param_45));
     place_1 = (_e16 / vec2(2u));
     hits_1 = 0u;
     k_3 = 0u;
@@ -538,9 +569,9 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var turn: f32;
     var height: f32;
     var rows: vec2<u32>;
-    var param_34: f32;
-    var param_35: f32;
-    var param_36: f32;
+    var param_46: f32;
+    var param_47: f32;
+    var param_48: f32;
     var place_2: u32;
     var meets: bool;
     var row: u32;
@@ -551,11 +582,11 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var reach: vec2<f32>;
     var ends: vec2<f32>;
     var met: vec2<u32>;
-    var param_37: f32;
-    var param_38: f32;
-    var param_39: f32;
+    var param_49: f32;
+    var param_50: f32;
+    var param_51: f32;
     var bits_2: u32;
-    var phi_493_: bool;
+    var phi_496_: bool;
 
     let _e38 = (*e).b;
     let _e41 = (*e).most;
@@ -570,10 +601,10 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     let _e62 = height;
     let _e66 = (*e).center[1u];
     let _e67 = height;
-    param_34 = (_e61 - _e62);
-    param_35 = (_e66 + _e67);
-    param_36 = 4f;
-    let _e69 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_34), (&param_35), (&param_36));
+    param_46 = (_e61 - _e62);
+    param_47 = (_e66 + _e67);
+    param_48 = 4f;
+    let _e69 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_46), (&param_47), (&param_48));
     rows = _e69;
     let _e70 = (*k_4);
     let _e74 = (*k_4);
@@ -613,22 +644,22 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
             let _e139 = (*e).center[0u];
             ends = ((((_e124 * -(_e122)) + vec2<f32>(-(_e127), _e130)) / vec2(_e134)) + vec2(_e139));
             let _e143 = ends[0u];
-            param_37 = _e143;
+            param_49 = _e143;
             let _e145 = ends[1u];
-            param_38 = _e145;
-            param_39 = 4f;
-            let _e146 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_37), (&param_38), (&param_39));
+            param_50 = _e145;
+            param_51 = 4f;
+            let _e146 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_49), (&param_50), (&param_51));
             met = _e146;
             let _e148 = met[0u];
             let _e150 = met[1u];
             let _e151 = (_e148 < _e150);
-            phi_493_ = _e151;
+            phi_496_ = _e151;
             if _e151 {
                 let _e153 = squared[0u];
                 let _e155 = squared[1u];
-                phi_493_ = !((max(_e153, _e155) < 0f));
+                phi_496_ = !((max(_e153, _e155) < 0f));
             }
-            let _e160 = phi_493_;
+            let _e160 = phi_496_;
             if _e160 {
                 let _e162 = met[1u];
                 let _e166 = met[0u];
@@ -660,14 +691,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_40: vec4<u32>;
+    var param_52: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_40 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_40));
+    param_52 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_52));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -694,21 +725,21 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
 
 fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>, i: ptr<function, u32>, packed: ptr<function, vec4<u32>>, corner_1: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_41: vec4<u32>;
+    var param_53: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
-    var exponent: f32;
+    var exponent_1: f32;
     var ellipse: Ellipse;
-    var param_42: u32;
-    var param_43: Ellipse;
+    var param_54: u32;
+    var param_55: Ellipse;
     var color_1: vec3<u32>;
     var word_1: u32;
-    var phi_678_: bool;
+    var phi_681_: bool;
 
     let _e28 = (*packed);
-    param_41 = _e28;
-    let _e29 = unpack_splat_u0028_vu4_u003b((&param_41));
+    param_53 = _e28;
+    let _e29 = unpack_splat_u0028_vu4_u003b((&param_53));
     splat_1 = _e29;
     let _e31 = splat_1.axis;
     let _e33 = splat_1.axis;
@@ -722,7 +753,7 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     let _e53 = splat_1.axis[0u];
     across = (vec2<f32>(-(_e49), _e53) * ((0.8493218f * sqrt(_e41)) / _e45));
     let _e57 = splat_1.opacity;
-    exponent = log2((f32(_e57) / 255f));
+    exponent_1 = log2((f32(_e57) / 255f));
     let _e62 = splat_1.center;
     let _e63 = (*corner_1);
     ellipse.center = (_e62 - _e63);
@@ -746,21 +777,21 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     let _e105 = across;
     let _e106 = across;
     ellipse.determinant = (dot(_e102, _e103) * dot(_e105, _e106));
-    let _e110 = exponent;
+    let _e110 = exponent_1;
     let _e112 = settings.cutoff_exponent;
     ellipse.most = ((_e110 - _e112) + 0.00390625f);
     let _e117 = ellipse.most;
     let _e118 = (_e117 < 0f);
-    phi_678_ = _e118;
+    phi_681_ = _e118;
     if !(_e118) {
         let _e120 = (*thread_1);
-        param_42 = _e120;
+        param_54 = _e120;
         let _e121 = ellipse;
-        param_43 = _e121;
-        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_42), (&param_43));
-        phi_678_ = !(_e122);
+        param_55 = _e121;
+        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_54), (&param_55));
+        phi_681_ = !(_e122);
     }
-    let _e125 = phi_678_;
+    let _e125 = phi_681_;
     if _e125 {
         return;
     }
@@ -776,7 +807,7 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     batch_place[_e143] = vec4<f32>(_e145.x, _e145.y, _e146.x, _e146.y);
     let _e153 = (*thread_1);
     let _e154 = across;
-    let _e155 = exponent;
+    let _e155 = exponent_1;
     let _e156 = word_1;
     batch_shape[_e153] = vec4<f32>(_e154.x, _e154.y, _e155, bitcast<f32>(_e156));
     return;
@@ -831,35 +862,35 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_44: u32;
+    var param_56: u32;
     var from_2: u32;
     var end_1: u32;
     var i_1: u32;
-    var param_45: u32;
-    var param_46: u32;
-    var param_47: u32;
-    var next: u32;
-    var param_48: u32;
-    var param_49: u32;
-    var param_50: u32;
-    var pair_1: u32;
-    var param_51: u32;
-    var param_52: u32;
-    var k_5: u32;
-    var param_53: u32;
-    var param_54: u32;
-    var param_55: vec4<u32>;
-    var param_56: vec2<f32>;
     var param_57: u32;
     var param_58: u32;
     var param_59: u32;
-    var word_2: u32;
+    var next: u32;
     var param_60: u32;
     var param_61: u32;
-    var param_62: Samples;
+    var param_62: u32;
+    var pair_1: u32;
     var param_63: u32;
     var param_64: u32;
-    var param_65: vec2<f32>;
+    var k_5: u32;
+    var param_65: u32;
+    var param_66: u32;
+    var param_67: vec4<u32>;
+    var param_68: vec2<f32>;
+    var param_69: u32;
+    var param_70: u32;
+    var param_71: u32;
+    var word_2: u32;
+    var param_72: u32;
+    var param_73: u32;
+    var param_74: Samples;
+    var param_75: u32;
+    var param_76: u32;
+    var param_77: vec2<f32>;
 
     let _e52 = gl_LocalInvocationIndex_1;
     thread_2 = _e52;
@@ -871,8 +902,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     at_2 = (_e56 / vec2((_e58 << bitcast<u32>(_e59))));
     let _e65 = at_2[1u];
     let _e66 = shift_1;
-    param_44 = _e66;
-    let _e67 = bins_of_u0028_u1_u003b((&param_44));
+    param_56 = _e66;
+    let _e67 = bins_of_u0028_u1_u003b((&param_56));
     let _e71 = at_2[0u];
     bin = ((_e65 * _e67.x) + _e71);
     let _e74 = settings.starts_start;
@@ -885,28 +916,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     end_1 = _e87;
     let _e88 = from_2;
     let _e89 = thread_2;
-    param_45 = (_e88 + _e89);
+    param_57 = (_e88 + _e89);
     let _e91 = end_1;
-    param_46 = _e91;
-    let _e92 = pair_at_u0028_u1_u003b_u1_u003b((&param_45), (&param_46));
-    param_47 = _e92;
-    let _e93 = splat_of_u0028_u1_u003b((&param_47));
+    param_58 = _e91;
+    let _e92 = pair_at_u0028_u1_u003b_u1_u003b((&param_57), (&param_58));
+    param_59 = _e92;
+    let _e93 = splat_of_u0028_u1_u003b((&param_59));
     i_1 = _e93;
     let _e94 = from_2;
     let _e96 = thread_2;
-    param_48 = ((_e94 + 256u) + _e96);
+    param_60 = ((_e94 + 256u) + _e96);
     let _e98 = end_1;
-    param_49 = _e98;
-    let _e99 = pair_at_u0028_u1_u003b_u1_u003b((&param_48), (&param_49));
-    param_50 = _e99;
-    let _e100 = splat_of_u0028_u1_u003b((&param_50));
+    param_61 = _e98;
+    let _e99 = pair_at_u0028_u1_u003b_u1_u003b((&param_60), (&param_61));
+    param_62 = _e99;
+    let _e100 = splat_of_u0028_u1_u003b((&param_62));
     next = _e100;
     let _e101 = from_2;
     let _e103 = thread_2;
-    param_51 = ((_e101 + 512u) + _e103);
+    param_63 = ((_e101 + 512u) + _e103);
     let _e105 = end_1;
-    param_52 = _e105;
-    let _e106 = pair_at_u0028_u1_u003b_u1_u003b((&param_51), (&param_52));
+    param_64 = _e105;
+    let _e106 = pair_at_u0028_u1_u003b_u1_u003b((&param_63), (&param_64));
     pair_1 = _e106;
     loop {
         let _e107 = from_2;
@@ -944,26 +975,26 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e126 = i_1;
                 let _e127 = (*corner_2);
                 let _e129 = thread_2;
-                param_53 = _e129;
+                param_65 = _e129;
                 let _e130 = i_1;
-                param_54 = _e130;
+                param_66 = _e130;
                 let _e133 = unnamed_2.splats[_e126];
-                param_55 = _e133;
-                param_56 = vec2<f32>(_e127);
-                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_53), (&param_54), (&param_55), (&param_56));
+                param_67 = _e133;
+                param_68 = vec2<f32>(_e127);
+                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_65), (&param_66), (&param_67), (&param_68));
             }
             let _e134 = next;
             i_1 = _e134;
             let _e135 = pair_1;
-            param_57 = _e135;
-            let _e136 = splat_of_u0028_u1_u003b((&param_57));
+            param_69 = _e135;
+            let _e136 = splat_of_u0028_u1_u003b((&param_69));
             next = _e136;
             let _e137 = from_2;
             let _e139 = thread_2;
-            param_58 = ((_e137 + 768u) + _e139);
+            param_70 = ((_e137 + 768u) + _e139);
             let _e141 = end_1;
-            param_59 = _e141;
-            let _e142 = pair_at_u0028_u1_u003b_u1_u003b((&param_58), (&param_59));
+            param_71 = _e141;
+            let _e142 = pair_at_u0028_u1_u003b_u1_u003b((&param_70), (&param_71));
             pair_1 = _e142;
             workgroupBarrier();
             let _e143 = workgroupUniformLoad((&batch_open));
@@ -976,19 +1007,19 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e148 = (*samples_3).open;
                 if ((_e145 < 8u) && _e148) {
                     let _e150 = thread_2;
-                    param_60 = _e150;
+                    param_72 = _e150;
                     let _e151 = word_2;
-                    param_61 = _e151;
-                    let _e152 = hits_of_u0028_u1_u003b_u1_u003b((&param_60), (&param_61));
+                    param_73 = _e151;
+                    let _e152 = hits_of_u0028_u1_u003b_u1_u003b((&param_72), (&param_73));
                     let _e153 = word_2;
                     let _e155 = (*samples_3);
-                    param_62 = _e155;
-                    param_63 = _e152;
-                    param_64 = (32u * _e153);
+                    param_74 = _e155;
+                    param_75 = _e152;
+                    param_76 = (32u * _e153);
                     let _e156 = (*first_4);
-                    param_65 = _e156;
-                    blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_62), (&param_63), (&param_64), (&param_65));
-                    let _e157 = param_62;
+                    param_77 = _e156;
+                    blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_74), (&param_75), (&param_76), (&param_77));
+                    let _e157 = param_74;
                     (*samples_3) = _e157;
                     continue;
                 } else {
@@ -1014,28 +1045,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
 
 fn is_drawn_u0028_vu2_u003b(corner_3: ptr<function, vec2<u32>>) -> bool {
     var at_3: vec2<f32>;
-    var phi_273_: bool;
-    var phi_274_: bool;
+    var phi_276_: bool;
+    var phi_277_: bool;
 
     let _e4 = (*corner_3);
     at_3 = vec2<f32>(_e4);
     let _e7 = frame.area_reach;
     let _e8 = (_e7 < 0f);
-    phi_274_ = _e8;
+    phi_277_ = _e8;
     if !(_e8) {
         let _e10 = at_3;
         let _e12 = frame.area;
         let _e15 = all((_e10 >= _e12.xy));
-        phi_273_ = _e15;
+        phi_276_ = _e15;
         if _e15 {
             let _e16 = at_3;
             let _e18 = frame.area;
-            phi_273_ = all((_e16 < _e18.zw));
+            phi_276_ = all((_e16 < _e18.zw));
         }
-        let _e23 = phi_273_;
-        phi_274_ = _e23;
+        let _e23 = phi_276_;
+        phi_277_ = _e23;
     }
-    let _e25 = phi_274_;
+    let _e25 = phi_277_;
     return _e25;
 }
 
@@ -1062,7 +1093,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_14: vec2<u32>;
     var param_15: vec4<f32>;
     var param_16: bool;
-    var phi_1365_: bool;
+    var phi_1378_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1124,12 +1155,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_14), (&param_15), (&param_16));
     let _e98 = settings.counted;
     let _e99 = (_e98 != 0u);
-    phi_1365_ = _e99;
+    phi_1378_ = _e99;
     if _e99 {
         let _e101 = samples.evaluated;
-        phi_1365_ = (_e101 > 0u);
+        phi_1378_ = (_e101 > 0u);
     }
-    let _e104 = phi_1365_;
+    let _e104 = phi_1378_;
     if _e104 {
         let _e108 = samples.evaluated;
         let _e109 = atomicAdd((&unnamed_3.control.fragments), _e108);

@@ -15,12 +15,6 @@ struct Ellipse {
     most: f32,
 }
 
-struct Around {
-    below: vec2<f32>,
-    above: vec2<f32>,
-    squared: vec2<f32>,
-}
-
 struct Seen {
     opacity: vec4<f32>,
     word: u32,
@@ -207,7 +201,7 @@ fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005
     var light: f32;
     var behind: f32;
     var local: u32;
-    var phi_967_: bool;
+    var phi_952_: bool;
 
     s = 0u;
     loop {
@@ -225,13 +219,13 @@ fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005
             let _e28 = light;
             let _e30 = settings.saturation;
             let _e31 = (_e28 >= _e30);
-            phi_967_ = _e31;
+            phi_952_ = _e31;
             if _e31 {
                 let _e32 = behind;
                 let _e34 = settings.saturation;
-                phi_967_ = (_e32 < _e34);
+                phi_952_ = (_e32 < _e34);
             }
-            let _e37 = phi_967_;
+            let _e37 = phi_952_;
             if _e37 {
                 let _e39 = (*seen).word;
                 local = _e39;
@@ -269,42 +263,42 @@ fn note_seen_u0028_u1_u003b(k: ptr<function, u32>) {
     return;
 }
 
-fn opacity_of_u0028_f1_u003b(power: ptr<function, f32>) -> f32 {
+fn opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>, right: ptr<function, vec2<f32>>, down: ptr<function, vec2<f32>>) -> f32 {
+    var power: f32;
+    var below: vec2<f32>;
+    var above: vec2<f32>;
     var local_1: f32;
 
-    let _e5 = (*power);
-    let _e7 = settings.cutoff_exponent;
-    if (_e5 >= _e7) {
-        let _e9 = (*power);
-        local_1 = min(0.99f, exp2(_e9));
+    let _e13 = (*exponent);
+    let _e14 = (*deviation);
+    let _e15 = (*deviation);
+    power = (_e13 - dot(_e14, _e15));
+    let _e18 = (*right);
+    let _e19 = (*down);
+    below = ((_e18 + _e19) * 0.5f);
+    let _e22 = (*right);
+    let _e23 = (*down);
+    above = ((_e22 - _e23) * 0.5f);
+    let _e26 = (*deviation);
+    let _e27 = below;
+    let _e31 = below;
+    let _e32 = below;
+    let _e35 = (*deviation);
+    let _e36 = above;
+    let _e40 = above;
+    let _e41 = above;
+    let _e45 = power;
+    power = (_e45 - max(((2f * abs(dot(_e26, _e27))) + dot(_e31, _e32)), ((2f * abs(dot(_e35, _e36))) + dot(_e40, _e41))));
+    let _e47 = power;
+    let _e49 = settings.cutoff_exponent;
+    if (_e47 >= _e49) {
+        let _e51 = power;
+        local_1 = min(0.99f, exp2(_e51));
     } else {
         local_1 = 0f;
     }
-    let _e12 = local_1;
-    return _e12;
-}
-
-fn opacity_at_u0028_vf2_u003b_f1_u003b_struct_u002d_Around_u002d_vf2_u002d_vf2_u002d_vf21_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>, around: ptr<function, Around>) -> f32 {
-    var along: vec2<f32>;
-    var further: vec2<f32>;
-    var param_12: f32;
-
-    let _e9 = (*deviation);
-    let _e11 = (*around).below;
-    let _e13 = (*deviation);
-    let _e15 = (*around).above;
-    along = abs(vec2<f32>(dot(_e9, _e11), dot(_e13, _e15)));
-    let _e19 = along;
-    let _e22 = (*around).squared;
-    further = ((_e19 * 2f) + _e22);
-    let _e24 = (*exponent);
-    let _e25 = (*deviation);
-    let _e26 = (*deviation);
-    let _e30 = further[0u];
-    let _e32 = further[1u];
-    param_12 = ((_e24 - dot(_e25, _e26)) - max(_e30, _e32));
-    let _e35 = opacity_of_u0028_f1_u003b((&param_12));
-    return _e35;
+    let _e54 = local_1;
+    return _e54;
 }
 
 fn see_u0028_u1_u003b_vf2_u003b(k_1: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
@@ -312,96 +306,96 @@ fn see_u0028_u1_u003b_vf2_u003b(k_1: ptr<function, u32>, first_1: ptr<function, 
     var shape: vec4<f32>;
     var from_: vec2<f32>;
     var deviation_1: vec2<f32>;
-    var px_right: vec2<f32>;
-    var px_down: vec2<f32>;
-    var right: vec2<f32>;
-    var down: vec2<f32>;
-    var around_1: Around;
+    var right_1: vec2<f32>;
+    var down_1: vec2<f32>;
+    var second: vec2<f32>;
+    var below_1: vec2<f32>;
     var seen_1: Seen;
-    var param_13: vec2<f32>;
-    var param_14: f32;
-    var param_15: Around;
+    var param_12: vec2<f32>;
+    var param_13: f32;
+    var param_14: vec2<f32>;
+    var param_15: vec2<f32>;
     var param_16: vec2<f32>;
     var param_17: f32;
-    var param_18: Around;
+    var param_18: vec2<f32>;
     var param_19: vec2<f32>;
-    var param_20: f32;
-    var param_21: Around;
+    var param_20: vec2<f32>;
+    var param_21: f32;
     var param_22: vec2<f32>;
-    var param_23: f32;
-    var param_24: Around;
+    var param_23: vec2<f32>;
+    var param_24: vec2<f32>;
+    var param_25: f32;
+    var param_26: vec2<f32>;
+    var param_27: vec2<f32>;
 
-    let _e32 = (*k_1);
-    let _e34 = batch_place[_e32];
-    place = _e34;
-    let _e35 = (*k_1);
-    let _e37 = batch_shape[_e35];
-    shape = _e37;
-    let _e38 = (*first_1);
-    let _e39 = place;
-    from_ = (_e38 - _e39.xy);
-    let _e42 = from_;
-    let _e43 = place;
-    let _e46 = from_;
-    let _e47 = shape;
-    deviation_1 = vec2<f32>(dot(_e42, _e43.zw), dot(_e46, _e47.xy));
-    let _e52 = place[2u];
-    let _e54 = shape[0u];
-    px_right = vec2<f32>(_e52, _e54);
-    let _e57 = place[3u];
-    let _e59 = shape[1u];
-    px_down = vec2<f32>(_e57, _e59);
-    let _e61 = deviation_1;
-    let _e62 = px_right;
-    right = (_e61 + (_e62 * 2f));
-    let _e65 = px_down;
-    down = (_e65 * 2f);
-    let _e67 = px_right;
-    let _e68 = px_down;
-    around_1.below = ((_e67 + _e68) * 0.5f);
-    let _e72 = px_right;
-    let _e73 = px_down;
-    around_1.above = ((_e72 - _e73) * 0.5f);
-    let _e78 = around_1.below;
-    let _e80 = around_1.below;
-    let _e83 = around_1.above;
-    let _e85 = around_1.above;
-    around_1.squared = vec2<f32>(dot(_e78, _e80), dot(_e83, _e85));
-    let _e89 = deviation_1;
-    param_13 = _e89;
-    let _e91 = shape[2u];
-    param_14 = _e91;
-    let _e92 = around_1;
-    param_15 = _e92;
-    let _e93 = opacity_at_u0028_vf2_u003b_f1_u003b_struct_u002d_Around_u002d_vf2_u002d_vf2_u002d_vf21_u003b((&param_13), (&param_14), (&param_15));
-    let _e94 = right;
-    param_16 = _e94;
-    let _e96 = shape[2u];
-    param_17 = _e96;
-    let _e97 = around_1;
-    param_18 = _e97;
-    let _e98 = opacity_at_u0028_vf2_u003b_f1_u003b_struct_u002d_Around_u002d_vf2_u002d_vf2_u002d_vf21_u003b((&param_16), (&param_17), (&param_18));
-    let _e99 = deviation_1;
-    let _e100 = down;
-    param_19 = (_e99 + _e100);
-    let _e103 = shape[2u];
-    param_20 = _e103;
-    let _e104 = around_1;
-    param_21 = _e104;
-    let _e105 = opacity_at_u0028_vf2_u003b_f1_u003b_struct_u002d_Around_u002d_vf2_u002d_vf2_u002d_vf21_u003b((&param_19), (&param_20), (&param_21));
-    let _e106 = right;
-    let _e107 = down;
-    param_22 = (_e106 + _e107);
-    let _e110 = shape[2u];
-    param_23 = _e110;
-    let _e111 = around_1;
-    param_24 = _e111;
-    let _e112 = opacity_at_u0028_vf2_u003b_f1_u003b_struct_u002d_Around_u002d_vf2_u002d_vf2_u002d_vf21_u003b((&param_22), (&param_23), (&param_24));
-    seen_1.opacity = vec4<f32>(_e93, _e98, _e105, _e112);
-    let _e116 = shape[3u];
-    seen_1.word = bitcast<u32>(_e116);
-    let _e119 = seen_1;
-    return _e119;
+    let _e34 = (*k_1);
+    let _e36 = batch_place[_e34];
+    place = _e36;
+    let _e37 = (*k_1);
+    let _e39 = batch_shape[_e37];
+    shape = _e39;
+    let _e40 = (*first_1);
+    let _e41 = place;
+    from_ = (_e40 - _e41.xy);
+    let _e44 = from_;
+    let _e45 = place;
+    let _e48 = from_;
+    let _e49 = shape;
+    deviation_1 = vec2<f32>(dot(_e44, _e45.zw), dot(_e48, _e49.xy));
+    let _e54 = place[2u];
+    let _e56 = shape[0u];
+    right_1 = vec2<f32>(_e54, _e56);
+    let _e59 = place[3u];
+    let _e61 = shape[1u];
+    down_1 = vec2<f32>(_e59, _e61);
+    let _e63 = deviation_1;
+    let _e64 = right_1;
+    second = (_e63 + (_e64 * 2f));
+    let _e67 = down_1;
+    below_1 = (_e67 * 2f);
+    let _e69 = deviation_1;
+    param_12 = _e69;
+    let _e71 = shape[2u];
+    param_13 = _e71;
+    let _e72 = right_1;
+    param_14 = _e72;
+    let _e73 = down_1;
+    param_15 = _e73;
+    let _e74 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_12), (&param_13), (&param_14), (&param_15));
+    let _e75 = second;
+    param_16 = _e75;
+    let _e77 = shape[2u];
+    param_17 = _e77;
+    let _e78 = right_1;
+    param_18 = _e78;
+    let _e79 = down_1;
+    param_19 = _e79;
+    let _e80 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_16), (&param_17), (&param_18), (&param_19));
+    let _e81 = deviation_1;
+    let _e82 = below_1;
+    param_20 = (_e81 + _e82);
+    let _e85 = shape[2u];
+    param_21 = _e85;
+    let _e86 = right_1;
+    param_22 = _e86;
+    let _e87 = down_1;
+    param_23 = _e87;
+    let _e88 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_20), (&param_21), (&param_22), (&param_23));
+    let _e89 = second;
+    let _e90 = below_1;
+    param_24 = (_e89 + _e90);
+    let _e93 = shape[2u];
+    param_25 = _e93;
+    let _e94 = right_1;
+    param_26 = _e94;
+    let _e95 = down_1;
+    param_27 = _e95;
+    let _e96 = opacity_at_u0028_vf2_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_24), (&param_25), (&param_26), (&param_27));
+    seen_1.opacity = vec4<f32>(_e74, _e80, _e88, _e96);
+    let _e100 = shape[3u];
+    seen_1.word = bitcast<u32>(_e100);
+    let _e103 = seen_1;
+    return _e103;
 }
 
 fn blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b(samples_2: ptr<function, Samples>, hits: ptr<function, u32>, from_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
@@ -410,18 +404,18 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4
     var l: u32;
     var local_2: u32;
     var seen_2: Seen;
-    var param_25: u32;
-    var param_26: vec2<f32>;
-    var second: Seen;
-    var param_27: u32;
-    var param_28: vec2<f32>;
-    var param_29: u32;
-    var param_30: Samples;
-    var param_31: Seen;
-    var shows: bool;
+    var param_28: u32;
+    var param_29: vec2<f32>;
+    var second_1: Seen;
+    var param_30: u32;
+    var param_31: vec2<f32>;
     var param_32: u32;
     var param_33: Samples;
     var param_34: Seen;
+    var shows: bool;
+    var param_35: u32;
+    var param_36: Samples;
+    var param_37: Seen;
 
     loop {
         let _e27 = (*hits);
@@ -450,26 +444,26 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4
             let _e53 = (*hits);
             (*hits) = (_e53 & (_e51 - 1u));
             let _e55 = k_2;
-            param_25 = _e55;
+            param_28 = _e55;
             let _e56 = (*first_2);
-            param_26 = _e56;
-            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_25), (&param_26));
+            param_29 = _e56;
+            let _e57 = see_u0028_u1_u003b_vf2_u003b((&param_28), (&param_29));
             seen_2 = _e57;
             let _e58 = l;
-            param_27 = _e58;
+            param_30 = _e58;
             let _e59 = (*first_2);
-            param_28 = _e59;
-            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_27), (&param_28));
-            second = _e60;
+            param_31 = _e59;
+            let _e60 = see_u0028_u1_u003b_vf2_u003b((&param_30), (&param_31));
+            second_1 = _e60;
             let _e61 = k_2;
-            param_29 = _e61;
-            note_seen_u0028_u1_u003b((&param_29));
+            param_32 = _e61;
+            note_seen_u0028_u1_u003b((&param_32));
             let _e62 = (*samples_2);
-            param_30 = _e62;
+            param_33 = _e62;
             let _e63 = seen_2;
-            param_31 = _e63;
-            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_30), (&param_31));
-            let _e64 = param_30;
+            param_34 = _e63;
+            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_33), (&param_34));
+            let _e64 = param_33;
             (*samples_2) = _e64;
             let _e65 = both;
             let _e67 = (*samples_2).open;
@@ -477,18 +471,18 @@ fn blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4
             let _e69 = shows;
             if _e69 {
                 let _e70 = l;
-                param_32 = _e70;
-                note_seen_u0028_u1_u003b((&param_32));
+                param_35 = _e70;
+                note_seen_u0028_u1_u003b((&param_35));
             }
             let _e71 = shows;
-            let _e74 = second.opacity;
-            second.opacity = (_e74 * select(0f, 1f, _e71));
+            let _e74 = second_1.opacity;
+            second_1.opacity = (_e74 * select(0f, 1f, _e71));
             let _e77 = (*samples_2);
-            param_33 = _e77;
-            let _e78 = second;
-            param_34 = _e78;
-            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_33), (&param_34));
-            let _e79 = param_33;
+            param_36 = _e77;
+            let _e78 = second_1;
+            param_37 = _e78;
+            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_struct_u002d_Seen_u002d_vf4_u002d_u11_u003b((&param_36), (&param_37));
+            let _e79 = param_36;
             (*samples_2) = _e79;
             let _e80 = shows;
             let _e83 = (*samples_2).evaluated;
@@ -516,14 +510,14 @@ fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
 
 fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word_1: ptr<function, u32>) -> u32 {
     var place_1: vec2<u32>;
-    var param_35: u32;
+    var param_38: u32;
     var hits_1: u32;
     var k_3: u32;
     var bits_1: u32;
 
     let _e14 = (*thread);
-    param_35 = _e14;
-    let _e15 = place_of_u0028_u1_u003b((&param_35));
+    param_38 = _e14;
+    let _e15 = place_of_u0028_u1_u003b((&param_38));
     place_1 = (_e15 / vec2(1u));
     hits_1 = 0u;
     k_3 = 0u;
@@ -634,9 +628,9 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var turn: f32;
     var height: f32;
     var rows: vec2<u32>;
-    var param_36: f32;
-    var param_37: f32;
-    var param_38: f32;
+    var param_39: f32;
+    var param_40: f32;
+    var param_41: f32;
     var place_2: u32;
     var meets: bool;
     var row: u32;
@@ -647,11 +641,11 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var reach: vec2<f32>;
     var ends: vec2<f32>;
     var met: vec2<u32>;
-    var param_39: f32;
-    var param_40: f32;
-    var param_41: f32;
+    var param_42: f32;
+    var param_43: f32;
+    var param_44: f32;
     var bits_2: u32;
-    var phi_547_: bool;
+    var phi_542_: bool;
 
     let _e38 = (*e).b;
     let _e41 = (*e).most;
@@ -666,10 +660,10 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     let _e62 = height;
     let _e66 = (*e).center[1u];
     let _e67 = height;
-    param_36 = (_e61 - _e62);
-    param_37 = (_e66 + _e67);
-    param_38 = 4f;
-    let _e69 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_36), (&param_37), (&param_38));
+    param_39 = (_e61 - _e62);
+    param_40 = (_e66 + _e67);
+    param_41 = 4f;
+    let _e69 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_39), (&param_40), (&param_41));
     rows = _e69;
     let _e70 = (*k_4);
     let _e74 = (*k_4);
@@ -709,22 +703,22 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
             let _e139 = (*e).center[0u];
             ends = ((((_e124 * -(_e122)) + vec2<f32>(-(_e127), _e130)) / vec2(_e134)) + vec2(_e139));
             let _e143 = ends[0u];
-            param_39 = _e143;
+            param_42 = _e143;
             let _e145 = ends[1u];
-            param_40 = _e145;
-            param_41 = 4f;
-            let _e146 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_39), (&param_40), (&param_41));
+            param_43 = _e145;
+            param_44 = 4f;
+            let _e146 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_42), (&param_43), (&param_44));
             met = _e146;
             let _e148 = met[0u];
             let _e150 = met[1u];
             let _e151 = (_e148 < _e150);
-            phi_547_ = _e151;
+            phi_542_ = _e151;
             if _e151 {
                 let _e153 = squared[0u];
                 let _e155 = squared[1u];
-                phi_547_ = !((max(_e153, _e155) < 0f));
+                phi_542_ = !((max(_e153, _e155) < 0f));
             }
-            let _e160 = phi_547_;
+            let _e160 = phi_542_;
             if _e160 {
                 let _e162 = met[1u];
                 let _e166 = met[0u];
@@ -756,14 +750,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_42: vec4<u32>;
+    var param_45: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_42 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_42));
+    param_45 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_45));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -790,30 +784,30 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
 
 fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>, i_1: ptr<function, u32>, packed: ptr<function, vec4<u32>>, corner: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_43: vec4<u32>;
+    var param_46: vec4<u32>;
     var inverse: f32;
-    var along_1: vec2<f32>;
+    var along: vec2<f32>;
     var across: vec2<f32>;
     var exponent_1: f32;
     var ellipse: Ellipse;
-    var param_44: u32;
-    var param_45: Ellipse;
+    var param_47: u32;
+    var param_48: Ellipse;
     var word_3: u32;
-    var param_46: u32;
-    var param_47: f32;
-    var param_48: vec3<f32>;
-    var phi_730_: bool;
+    var param_49: u32;
+    var param_50: f32;
+    var param_51: vec3<f32>;
+    var phi_725_: bool;
 
     let _e28 = (*packed);
-    param_43 = _e28;
-    let _e29 = unpack_splat_u0028_vu4_u003b((&param_43));
+    param_46 = _e28;
+    let _e29 = unpack_splat_u0028_vu4_u003b((&param_46));
     splat_1 = _e29;
     let _e31 = splat_1.axis;
     let _e33 = splat_1.axis;
     inverse = (1f / dot(_e31, _e33));
     let _e36 = inverse;
     let _e39 = splat_1.axis;
-    along_1 = (_e39 * (0.8493218f * _e36));
+    along = (_e39 * (0.8493218f * _e36));
     let _e41 = inverse;
     let _e45 = splat_1.shorter;
     let _e49 = splat_1.axis[1u];
@@ -824,23 +818,23 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     let _e62 = splat_1.center;
     let _e63 = (*corner);
     ellipse.center = (_e62 - _e63);
-    let _e67 = along_1[0u];
-    let _e69 = along_1[0u];
+    let _e67 = along[0u];
+    let _e69 = along[0u];
     let _e72 = across[0u];
     let _e74 = across[0u];
     ellipse.a = ((_e67 * _e69) + (_e72 * _e74));
-    let _e79 = along_1[0u];
-    let _e81 = along_1[1u];
+    let _e79 = along[0u];
+    let _e81 = along[1u];
     let _e84 = across[0u];
     let _e86 = across[1u];
     ellipse.b = ((_e79 * _e81) + (_e84 * _e86));
-    let _e91 = along_1[1u];
-    let _e93 = along_1[1u];
+    let _e91 = along[1u];
+    let _e93 = along[1u];
     let _e96 = across[1u];
     let _e98 = across[1u];
     ellipse.c = ((_e91 * _e93) + (_e96 * _e98));
-    let _e102 = along_1;
-    let _e103 = along_1;
+    let _e102 = along;
+    let _e103 = along;
     let _e105 = across;
     let _e106 = across;
     ellipse.determinant = (dot(_e102, _e103) * dot(_e105, _e106));
@@ -849,31 +843,31 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     ellipse.most = ((_e110 - _e112) + 0.00390625f);
     let _e117 = ellipse.most;
     let _e118 = (_e117 < 0f);
-    phi_730_ = _e118;
+    phi_725_ = _e118;
     if !(_e118) {
         let _e120 = (*thread_1);
-        param_44 = _e120;
+        param_47 = _e120;
         let _e121 = ellipse;
-        param_45 = _e121;
-        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_44), (&param_45));
-        phi_730_ = !(_e122);
+        param_48 = _e121;
+        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_47), (&param_48));
+        phi_725_ = !(_e122);
     }
-    let _e125 = phi_730_;
+    let _e125 = phi_725_;
     if _e125 {
         return;
     }
     let _e126 = (*i_1);
-    param_46 = _e126;
-    let _e127 = key_at_u0028_u1_u003b((&param_46));
+    param_49 = _e126;
+    let _e127 = key_at_u0028_u1_u003b((&param_49));
     let _e130 = frame.key_max;
-    param_47 = (1f - (f32(_e127) / f32(_e130)));
+    param_50 = (1f - (f32(_e127) / f32(_e130)));
     let _e135 = splat_1.color;
-    param_48 = _e135;
-    let _e136 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_47), (&param_48));
+    param_51 = _e135;
+    let _e136 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_50), (&param_51));
     word_3 = _e136;
     let _e137 = (*thread_1);
     let _e139 = ellipse.center;
-    let _e140 = along_1;
+    let _e140 = along;
     batch_place[_e137] = vec4<f32>(_e139.x, _e139.y, _e140.x, _e140.y);
     let _e147 = (*thread_1);
     let _e148 = across;
@@ -932,36 +926,36 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_49: u32;
+    var param_52: u32;
     var from_2: u32;
     var end_1: u32;
     var i_2: u32;
-    var param_50: u32;
-    var param_51: u32;
-    var param_52: u32;
-    var next: u32;
     var param_53: u32;
     var param_54: u32;
     var param_55: u32;
-    var pair_1: u32;
+    var next: u32;
     var param_56: u32;
     var param_57: u32;
-    var k_5: u32;
     var param_58: u32;
+    var pair_1: u32;
     var param_59: u32;
-    var param_60: vec4<u32>;
-    var param_61: vec2<f32>;
-    var own: u32;
+    var param_60: u32;
+    var k_5: u32;
+    var param_61: u32;
     var param_62: u32;
-    var param_63: u32;
-    var param_64: u32;
-    var word_4: u32;
+    var param_63: vec4<u32>;
+    var param_64: vec2<f32>;
+    var own: u32;
     var param_65: u32;
     var param_66: u32;
-    var param_67: Samples;
+    var param_67: u32;
+    var word_4: u32;
     var param_68: u32;
     var param_69: u32;
-    var param_70: vec2<f32>;
+    var param_70: Samples;
+    var param_71: u32;
+    var param_72: u32;
+    var param_73: vec2<f32>;
 
     let _e57 = gl_LocalInvocationIndex_1;
     thread_2 = _e57;
@@ -973,8 +967,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     at_2 = (_e61 / vec2((_e63 << bitcast<u32>(_e64))));
     let _e70 = at_2[1u];
     let _e71 = shift_1;
-    param_49 = _e71;
-    let _e72 = bins_of_u0028_u1_u003b((&param_49));
+    param_52 = _e71;
+    let _e72 = bins_of_u0028_u1_u003b((&param_52));
     let _e76 = at_2[0u];
     bin = ((_e70 * _e72.x) + _e76);
     let _e79 = settings.starts_start;
@@ -987,28 +981,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     end_1 = _e92;
     let _e93 = from_2;
     let _e94 = thread_2;
-    param_50 = (_e93 + _e94);
+    param_53 = (_e93 + _e94);
     let _e96 = end_1;
-    param_51 = _e96;
-    let _e97 = pair_at_u0028_u1_u003b_u1_u003b((&param_50), (&param_51));
-    param_52 = _e97;
-    let _e98 = splat_of_u0028_u1_u003b((&param_52));
+    param_54 = _e96;
+    let _e97 = pair_at_u0028_u1_u003b_u1_u003b((&param_53), (&param_54));
+    param_55 = _e97;
+    let _e98 = splat_of_u0028_u1_u003b((&param_55));
     i_2 = _e98;
     let _e99 = from_2;
     let _e101 = thread_2;
-    param_53 = ((_e99 + 64u) + _e101);
+    param_56 = ((_e99 + 64u) + _e101);
     let _e103 = end_1;
-    param_54 = _e103;
-    let _e104 = pair_at_u0028_u1_u003b_u1_u003b((&param_53), (&param_54));
-    param_55 = _e104;
-    let _e105 = splat_of_u0028_u1_u003b((&param_55));
+    param_57 = _e103;
+    let _e104 = pair_at_u0028_u1_u003b_u1_u003b((&param_56), (&param_57));
+    param_58 = _e104;
+    let _e105 = splat_of_u0028_u1_u003b((&param_58));
     next = _e105;
     let _e106 = from_2;
     let _e108 = thread_2;
-    param_56 = ((_e106 + 128u) + _e108);
+    param_59 = ((_e106 + 128u) + _e108);
     let _e110 = end_1;
-    param_57 = _e110;
-    let _e111 = pair_at_u0028_u1_u003b_u1_u003b((&param_56), (&param_57));
+    param_60 = _e110;
+    let _e111 = pair_at_u0028_u1_u003b_u1_u003b((&param_59), (&param_60));
     pair_1 = _e111;
     loop {
         let _e112 = from_2;
@@ -1048,28 +1042,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
                 let _e133 = i_2;
                 let _e134 = (*corner_1);
                 let _e136 = thread_2;
-                param_58 = _e136;
+                param_61 = _e136;
                 let _e137 = i_2;
-                param_59 = _e137;
+                param_62 = _e137;
                 let _e140 = unnamed.splats[_e133];
-                param_60 = _e140;
-                param_61 = vec2<f32>(_e134);
-                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_58), (&param_59), (&param_60), (&param_61));
+                param_63 = _e140;
+                param_64 = vec2<f32>(_e134);
+                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_61), (&param_62), (&param_63), (&param_64));
             }
             let _e141 = i_2;
             own = _e141;
             let _e142 = next;
             i_2 = _e142;
             let _e143 = pair_1;
-            param_62 = _e143;
-            let _e144 = splat_of_u0028_u1_u003b((&param_62));
+            param_65 = _e143;
+            let _e144 = splat_of_u0028_u1_u003b((&param_65));
             next = _e144;
             let _e145 = from_2;
             let _e147 = thread_2;
-            param_63 = ((_e145 + 192u) + _e147);
+            param_66 = ((_e145 + 192u) + _e147);
             let _e149 = end_1;
-            param_64 = _e149;
-            let _e150 = pair_at_u0028_u1_u003b_u1_u003b((&param_63), (&param_64));
+            param_67 = _e149;
+            let _e150 = pair_at_u0028_u1_u003b_u1_u003b((&param_66), (&param_67));
             pair_1 = _e150;
             workgroupBarrier();
             let _e151 = workgroupUniformLoad((&batch_open));
@@ -1082,19 +1076,19 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
                 let _e156 = (*samples_3).open;
                 if ((_e153 < 2u) && _e156) {
                     let _e158 = thread_2;
-                    param_65 = _e158;
+                    param_68 = _e158;
                     let _e159 = word_4;
-                    param_66 = _e159;
-                    let _e160 = hits_of_u0028_u1_u003b_u1_u003b((&param_65), (&param_66));
+                    param_69 = _e159;
+                    let _e160 = hits_of_u0028_u1_u003b_u1_u003b((&param_68), (&param_69));
                     let _e161 = word_4;
                     let _e163 = (*samples_3);
-                    param_67 = _e163;
-                    param_68 = _e160;
-                    param_69 = (32u * _e161);
+                    param_70 = _e163;
+                    param_71 = _e160;
+                    param_72 = (32u * _e161);
                     let _e164 = (*first_4);
-                    param_70 = _e164;
-                    blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_67), (&param_68), (&param_69), (&param_70));
-                    let _e165 = param_67;
+                    param_73 = _e164;
+                    blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_70), (&param_71), (&param_72), (&param_73));
+                    let _e165 = param_70;
                     (*samples_3) = _e165;
                     continue;
                 } else {
@@ -1142,7 +1136,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_9: u32;
     var param_10: vec2<u32>;
     var param_11: u32;
-    var phi_1427_: bool;
+    var phi_1412_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1189,12 +1183,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_u1_u003b((&param_10), (&param_11));
     let _e83 = settings.counted;
     let _e84 = (_e83 != 0u);
-    phi_1427_ = _e84;
+    phi_1412_ = _e84;
     if _e84 {
         let _e86 = samples.evaluated;
-        phi_1427_ = (_e86 > 0u);
+        phi_1412_ = (_e86 > 0u);
     }
-    let _e89 = phi_1427_;
+    let _e89 = phi_1412_;
     if _e89 {
         let _e93 = samples.evaluated;
         let _e94 = atomicAdd((&unnamed_4.control.fragments), _e93);

@@ -64,23 +64,25 @@ impl Damage {
             .product()
     }
 
-    /// Column and row of the first region of a side, px, and one past those of the last, of those
-    /// that have pixels that are drawn.
-    pub fn drawn_regions(&self, side: u32) -> [[u32; 2]; 2] {
-        [
-            (self.drawn.min / side).into(),
-            self.drawn.max.map(|pixel| pixel.div_ceil(side)).into(),
-        ]
-    }
-
     /// Column and row of the first region of a side, px, and one past those of the last. The side
     /// must divide [`RASTER_REGION`].
     pub fn regions(&self, side: u32) -> [[u32; 2]; 2] {
-        [
-            self.min.map(|pixel| pixel / side),
-            self.max.map(|pixel| pixel.div_ceil(side)),
-        ]
+        regions_of(self.rect(), side)
     }
+
+    /// The same of those regions that have pixels that are drawn.
+    pub fn drawn_regions(&self, side: u32) -> [[u32; 2]; 2] {
+        regions_of(self.drawn, side)
+    }
+}
+
+/// Column and row of the first region of a side, px, that a rectangle meets, and one past those of
+/// the last.
+fn regions_of(rect: PixelRect, side: u32) -> [[u32; 2]; 2] {
+    [
+        (rect.min / side).into(),
+        rect.max.map(|pixel| pixel.div_ceil(side)).into(),
+    ]
 }
 
 #[cfg(test)]
@@ -152,6 +154,8 @@ mod tests {
             Damage::new(drawn, before, SIZE).drawn_regions(RASTER_REGION)
         };
         let [width, height] = SIZE.map(|side| side.div_ceil(RASTER_REGION));
+        assert_eq!(drawn_regions([1, 1], [31, 31]), [[0, 0], [1, 1]]);
+        assert_eq!(drawn_regions([32, 33], [63, 64]), [[1, 1], [2, 2]]);
         assert_eq!(drawn_regions([1, 1], [32, 31]), [[0, 0], [1, 1]]);
         assert_eq!(drawn_regions([32, 33], [65, 64]), [[1, 1], [3, 2]]);
         assert_eq!(drawn_regions([0, 0], SIZE), [[0, 0], [width, height]]);

@@ -20,8 +20,8 @@ pub struct Barrier {
 /// Quads are tested against the saturation depth where avatars have at least this many pixels a
 /// Gaussian ([`Layer::pixels_a_gaussian`]). The 200K body has 1.0 at 1024 × 1024 px, where the test
 /// saves 1.8 fragments for each sample and the image is 65 dB from that of all fragments
-/// (docs/experiments/065, 066). Smaller avatars are mostly drawn enlarged, which is never tested, and
-/// Gaussians hardly reach all four pixels of a sample.
+/// (docs/experiments/065, 066). Smaller avatars are mostly drawn enlarged, which is never tested,
+/// and Gaussians hardly reach all four pixels of a sample.
 pub const SATURATION_PIXELS: f64 = 0.75;
 
 /// Why a stage does not run in a frame.

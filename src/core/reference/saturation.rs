@@ -42,14 +42,15 @@ pub fn saturating(
             for x in first(0) as usize..end(0, width) {
                 let at = DVec2::new(2.0 * x as f64 + 1.0, 2.0 * y as f64 + 1.0);
                 let sample = y * width + x;
+                if light[sample] < threshold {
+                    continue;
+                }
                 // None where it does not show at one of them.
                 let least = AROUND
                     .map(|step| ellipse.visible_alpha_at(at + step))
                     .into_iter()
                     .try_fold(1.0, |least: f64, alpha| Some(least.min(alpha?)));
-                if let Some(alpha) = least
-                    && light[sample] >= threshold
-                {
+                if let Some(alpha) = least {
                     light[sample] *= 1.0 - alpha;
                     if light[sample] < threshold {
                         found[sample] = Some(k);

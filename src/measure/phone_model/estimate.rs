@@ -14,8 +14,8 @@ const QUAD_VERTICES: f64 = 4.0;
 /// Fewest instructions to evaluate a splat at a pixel or a sample: offset, exponent, exponential,
 /// opacity and transmittance (docs/experiments/038).
 const FEWEST_A_SAMPLE: f64 = 10.0;
-/// Instructions more for the least opacity at a sample's four pixels: two products of two terms, two
-/// multiplications with an addition, a maximum and a difference.
+/// Instructions more for the least opacity at a sample's four pixels: two products of two terms,
+/// two multiplications with an addition, a maximum and a difference.
 const LEAST_OF_FOUR: f64 = 8.0;
 /// More instructions than a fragment that a kernel needs to blend four channels by itself.
 const BLENDING: f64 = 8.0;

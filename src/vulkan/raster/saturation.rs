@@ -1,7 +1,7 @@
 //! The `saturation` stage, which the quads' depth test needs: order, splats and bins go in, an
 //! image of depths and colours comes out, a sample for every four pixels. Behind a sample's depth
-//! hardly anything shows at any of the four. [`SaturationDepth`] writes it to the depth attachment of
-//! the quads, and the colour to the image under them.
+//! hardly anything shows at any of the four. [`SaturationDepth`] writes it to the depth attachment
+//! of the quads, and the colour to the image under them.
 
 use super::{
     bins::Bins,

@@ -1,7 +1,7 @@
 //! The `saturation` stage, which the quads' depth test needs: splats and bins go in, an image of
 //! depths and colours comes out, a sample for every four pixels. Behind a sample's depth hardly
-//! anything shows at any of the four. A triangle over the whole image writes it to the depth image of the
-//! quads, and the colour to the image under them.
+//! anything shows at any of the four. A triangle over the whole image writes it to the depth image
+//! of the quads, and the colour to the image under them.
 
 use super::{
     super::{

@@ -20,6 +20,7 @@ use effigy_core::{
     reference::{ReferenceFrame, saturation},
     scene::{AvatarBounds, Camera, Posed, Supersampling},
 };
+use effigy_measure::error;
 use glam::{DAffine3, DVec2};
 
 /// A frame of which a device found the saturation depths.
@@ -122,8 +123,8 @@ fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
     }
 }
 
-/// Upright needles, opaque and far thinner than a pixel, at every column of samples, and a white wall
-/// behind them that shows between. `layers`: needles one behind the other.
+/// Upright needles, opaque and far thinner than a pixel, at every column of samples, and a white
+/// wall behind them that shows between. `layers`: needles one behind the other.
 fn fence(layers: usize) -> Splats {
     const SIDE: usize = 64;
     let mut splats = common::splats(1, 0, 0);
@@ -184,14 +185,7 @@ fn gaps_between_samples_are_not_covered() {
             shows.contains(&middle),
             "{middle} of the wall shows behind {layers}"
         );
-        let off = whole
-            .pixels
-            .iter()
-            .flatten()
-            .zip(tested.pixels.iter().flatten());
-        let off = off
-            .map(|(a, b)| f64::from((a - b).abs()))
-            .fold(0.0, f64::max);
+        let off = error::between(&tested, &whole).whole.max_error;
         assert!(
             lost.contains(&off),
             "{off} of the wall is lost behind {layers}"

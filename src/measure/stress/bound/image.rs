@@ -189,13 +189,12 @@ impl ImageBound {
                 let at = (IVec2::new(x as i32, y as i32) - slot.around.min).as_uvec2();
                 let index = at.y as usize * value.size[0] as usize + at.x as usize;
                 let pixel = &mut pixels[y as usize * size[0] as usize + x as usize];
-                for channel in 0..4 {
+                let edges = self.edge_error(at, slot.factor);
+                for (channel, edge) in edges.into_iter().enumerate() {
                     let exact = f64::from(value.pixels[index][channel]);
                     let [below, above] =
                         [&below, &above].map(|off| f64::from(off.pixels[index][channel]));
-                    let rounded = rounding.stored(exact + above)
-                        + AVERAGE_ROUNDINGS * F32
-                        + self.edge_error(at, slot.factor, channel);
+                    let rounded = rounding.stored(exact + above) + AVERAGE_ROUNDINGS * F32 + edge;
                     pixel.value[channel] = exact;
                     pixel.above[channel] = above + rounded;
                     pixel.below[channel] = if contains(drawn, [x as usize, y as usize]) {
@@ -209,20 +208,22 @@ impl ImageBound {
         Self { size, pixels }
     }
 
-    /// How far the mean over a pixel's area may be off because a device rounds the area's edges, in
-    /// f32, and leaves out a thin share of a texel. An edge that is off by t moves t of the area's
-    /// length on that axis from the mean to a texel at the edge, or back: two values between 0 and
-    /// the brightest around.
-    fn edge_error(&self, pixel: UVec2, factor: f64, channel: usize) -> f64 {
+    /// How far the mean over a pixel's area may be off, channel by channel, because a device rounds
+    /// the area's edges, in f32, and leaves out a thin share of a texel. An edge that is off by t
+    /// moves t of the area's length on that axis from the mean to a texel at the edge, or back: two
+    /// values between 0 and the brightest around.
+    fn edge_error(&self, pixel: UVec2, factor: f64) -> [f64; 4] {
         let [begin, end] = [pixel, pixel + 1].map(|at| factor * at.as_dvec2());
         let last = DVec2::from(self.size.map(f64::from)) - 1.0;
         let from = (begin.floor() - 1.0).max(DVec2::ZERO).as_uvec2();
         let to = end.ceil().min(last).as_uvec2();
-        let mut brightest: f64 = 0.0;
+        let mut brightest = [0.0; 4];
         for y in from.y..=to.y {
             for x in from.x..=to.x {
                 let texel = &self.pixels[(y * self.size[0] + x) as usize];
-                brightest = brightest.max(texel.value[channel] + texel.above[channel]);
+                for (channel, most) in brightest.iter_mut().enumerate() {
+                    *most = f64::max(*most, texel.value[channel] + texel.above[channel]);
+                }
             }
         }
         // The factor, its product, and the share of a texel are rounded.
@@ -237,7 +238,8 @@ impl ImageBound {
         let off = |begin: f64, end: f64| {
             moved(begin, begin.floor() + 1.0 - begin) + moved(end, end - (end.ceil() - 1.0))
         };
-        brightest * (off(begin.x, end.x) + off(begin.y, end.y)) / factor
+        let off = (off(begin.x, end.x) + off(begin.y, end.y)) / factor;
+        brightest.map(|most| most * off)
     }
 
     /// The bound of splats. `drawn`: where they are drawn; `tested`: against the saturation depth.
