@@ -36,14 +36,17 @@ struct Drawing {
 
 impl Drawing {
     /// How many of so many faults its bound must see: all, but one where quads round each layer to 8
-    /// bits, which hides small ones behind others, and all but one where tiles with 8 bits fill
+    /// bits, which hides small ones behind others, and all but one where what shows by less than a
+    /// twentieth is left out: by the saturation depth, and by tiles with 8 bits, which fill
     /// saturated pixels.
     fn least_seen(self, faults: usize) -> usize {
         let is_quads = matches!(self.rasterizer, Rasterizer::Quads | Rasterizer::TestedQuads);
         if is_quads && self.color == ColorFormat::Rgba8 {
             1
-        } else if self.color == ColorFormat::Rgba8 && self.skip.contains(Skip::SATURATED) {
-            faults - 1
+        } else if matches!(self.rasterizer, Rasterizer::TestedQuads)
+            || self.color == ColorFormat::Rgba8 && self.skip.contains(Skip::SATURATED)
+        {
+            (faults - 1).max(1)
         } else {
             faults
         }

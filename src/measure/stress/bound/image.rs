@@ -253,25 +253,41 @@ impl ImageBound {
         let ordered = Ordered::new(splats, rounding.keys.largest());
         let width = size[0] as usize;
         let mut pixels = vec![PixelBound::default(); width * size[1] as usize];
-        pixels.par_chunks_mut(width).enumerate().for_each_init(
-            || vec![Vec::new(); width],
-            |layers, (y, row)| {
-                find_layers(&ordered, y, layers);
-                for (x, layers) in layers.iter_mut().enumerate() {
-                    if !contains(drawn, [x, y]) {
-                        for layer in layers.iter_mut() {
-                            if ordered.splats[layer.rank as usize].strays {
-                                layer.alpha.low = 0.0;
+        // Two rows of pixels share a row of samples of the saturation depth.
+        pixels.par_chunks_mut(2 * width).enumerate().for_each_init(
+            Vec::new,
+            |layers, (pair, rows)| {
+                layers.resize_with(rows.len(), Vec::new);
+                layers.iter_mut().for_each(Vec::clear);
+                for (row, layers) in layers.chunks_mut(width).enumerate() {
+                    let y = 2 * pair + row;
+                    find_layers(&ordered, y, layers);
+                    for (x, layers) in layers.iter_mut().enumerate() {
+                        if !contains(drawn, [x, y]) {
+                            for layer in layers.iter_mut() {
+                                if ordered.splats[layer.rank as usize].strays {
+                                    layer.alpha.low = 0.0;
+                                }
                             }
                         }
                     }
-                    // A sample is saturated no sooner than each of its four pixels.
-                    let lost = if tested {
-                        ordered.saturated_key(layers, saturation_light(rounding.cutoff))
-                    } else {
-                        0.0
-                    };
-                    row[x] = ordered.blend(layers, rounding, lost);
+                }
+                // The largest key at which each sample may be saturated.
+                let saturated: Vec<f64> = (0..width.div_ceil(2))
+                    .map(|sample| {
+                        if !tested {
+                            return 0.0;
+                        }
+                        let around: Vec<&[Layer]> = layers
+                            .chunks(width)
+                            .flat_map(|row| &row[2 * sample..(2 * sample + 2).min(width)])
+                            .map(Vec::as_slice)
+                            .collect();
+                        ordered.saturated_key(&around, saturation_light(rounding.cutoff))
+                    })
+                    .collect();
+                for (at, (pixel, layers)) in rows.iter_mut().zip(layers).enumerate() {
+                    *pixel = ordered.blend(layers, rounding, saturated[at % width / 2]);
                 }
             },
         );
@@ -354,10 +370,8 @@ fn contains(rect: PixelRect, pixel: [usize; 2]) -> bool {
     rect.min.cmple(at).all() && at.cmplt(rect.max).all()
 }
 
-/// The layers at each pixel of a row, nearest first, in place of those that are there: their memory
-/// serves many rows. `all`: as many as the row has pixels.
+/// Appends the layers at each pixel of a row, nearest first. `all`: as many as the row has pixels.
 fn find_layers(ordered: &Ordered, row: usize, all: &mut [Vec<Layer>]) {
-    all.iter_mut().for_each(Vec::clear);
     let y = row as f64 + 0.5;
     for (rank, splat) in ordered.splats.iter().enumerate() {
         if (y - splat.center.y).abs() > splat.reach.y {

@@ -21,6 +21,9 @@ use super::{
 };
 use effigy_core::frame::ColorFormat;
 
+/// Error of a value rounded to 5 bits, as the saturation depth stores red and blue.
+const FIVE_BITS: f64 = 0.5 / 31.0;
+
 /// A splat at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Layer {
@@ -87,23 +90,36 @@ impl Ordered {
         self.at(further).may_pass(self.at(nearer), self.key_max)
     }
 
-    /// The largest key at which a device may find a pixel saturated: what has a smaller key may be
-    /// left out. 0 where that can't be.
-    pub fn saturated_key(&self, layers: &[Layer], threshold: f64) -> f64 {
-        let mut by_key: Vec<&Layer> = layers.iter().collect();
-        by_key.sort_by(|a, b| self.at(b).key[1].total_cmp(&self.at(a).key[1]));
+    /// The largest key at which a device may find a sample saturated: what has a smaller key may be
+    /// left out. 0 where that can't be. `around`: the layers at each of the pixels that the sample
+    /// stands for; a splat counts by its least opacity there.
+    pub fn saturated_key(&self, around: &[&[Layer]], threshold: f64) -> f64 {
+        let Some((first, others)) = around.split_first() else {
+            return 0.0;
+        };
+        let least_opacity = |layer: &Layer| {
+            others.iter().try_fold(layer.alpha.high, |least, layers| {
+                let at = layers.binary_search_by_key(&layer.rank, |l| l.rank).ok()?;
+                Some(least.min(layers[at].alpha.high))
+            })
+        };
+        let mut by_key: Vec<(f64, f64)> = first
+            .iter()
+            .filter_map(|layer| Some((self.at(layer).key[1], least_opacity(layer)?)))
+            .collect();
+        by_key.sort_by(|a, b| b.0.total_cmp(&a.0));
         let mut light = 1.0;
-        for layer in by_key {
-            light *= 1.0 - layer.alpha.high;
+        for (key, opacity) in by_key {
+            light *= 1.0 - opacity;
             if light < threshold * (1.0 + 1e-3) {
-                return self.at(layer).key[1] + 1.0 / f64::from(self.key_max);
+                return key + 1.0 / f64::from(self.key_max);
             }
         }
         0.0
     }
 
     /// Blends a pixel's layers, nearest first. Of what has a key below `lost_below` a device may
-    /// leave out all that lies behind some depth, and with quads show any colour in its place.
+    /// leave out all that lies behind some depth; quads show the colour of a layer in its place.
     pub fn blend(&self, layers: &mut [Layer], rounding: &Rounding, lost_below: f64) -> PixelBound {
         if rounding.quads() {
             quantize(layers, rounding);
@@ -165,9 +181,13 @@ impl Ordered {
             for channel in 0..4 {
                 let most = lost * self.brightest(layers, channel);
                 bound.below[channel] += most;
-                // In its place tiles show more of what they have blended, quads the colour of a
-                // splat at one of the samples around.
-                bound.above[channel] += if rounding.quads() { lost } else { most };
+                // In its place tiles show more of what they have blended, and quads the colour of one
+                // of the layers, in 5 bits.
+                bound.above[channel] += if rounding.quads() {
+                    (most + lost * FIVE_BITS).min(lost)
+                } else {
+                    most
+                };
             }
         }
         let sums = 4.0 * F32 * (layers.len() as f64 + 4.0);
