@@ -52,13 +52,13 @@ commands() {
   effigy bake motion 01_01.bvh --out target/walk.motion
   effigy inspect target/body.avatar
   effigy bench target/body.avatar --motion target/walk.motion --size 1024x1024 --frames 4 --check 1 \
-    --json target/bench.json
+    --spread 2 --json target/bench.json
   effigy compare target/bench.json target/bench.json
   effigy export-ply target/body.avatar --motion target/walk.motion --uniform 0.003,0.9 --out target/body.ply \
     --cameras-out target/cams.json --size 1024x1024
   effigy bench target/body.ply --cameras target/cams.json --frames 4 --check 1
   effigy stress --cases "$1"
-  effigy bench-sort --max-keys 65536
+  effigy bench-sort --max-keys 65536 --keys 22
   effigy bench-device --size 256x256 --max-copy 8 --min-ms 2 --json target/rates.json
   effigy phone-model
   effigy soak --minutes 0.2 --fps 2 --size 256x320 --late 50 --out target/soak --trace target/trace.json

@@ -3,8 +3,8 @@
 # driver, with the validation layer on.
 # usage: tools/test.sh [DRIVER...]      DRIVER: mesa25:128 mesa25:256 mesa25:512 (vector widths) mesa22 swiftshader system
 #   system: whatever this machine has; mesa22: Debian 12's own
-#   DRIVER/drawing: without what another driver hardly changes: commands, soaks, the process's memory, the sort's record, and
-#     more stress cases
+#   DRIVER/drawing: without what another driver hardly changes: commands, soaks, trainings, the process's memory, the sort's
+#     record, the WebGPU build (the page draws with it on SwiftShader too), and more stress cases
 #   DRIVER/stages: only the tests of stages, frames and packing, the only code that another width changes
 # [default: mesa25:256 swiftshader/drawing mesa25:128/stages mesa25:512/stages]
 # Each test's outcome and seconds: target/tests/all; what the tests print: target/tests/*.log. What the harness reads from the
@@ -73,8 +73,8 @@ for asked in "${drivers[@]}"; do
       run "$driver" system "$system" pack::
       ;;
     */drawing)
-      run "$driver" gpu "$gpu" --skip memory:: --skip choice::a_ --skip stress::more_
-      run "$driver" system "$system" --skip commands:: --skip soak::
+      run "$driver" gpu "$gpu" --skip memory:: --skip webgpu:: --skip choice::a_ --skip stress::more_
+      run "$driver" system "$system" --skip commands:: --skip soak:: --skip train::
       ;;
     *)
       run "$driver" gpu "$gpu"
