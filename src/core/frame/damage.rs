@@ -70,7 +70,8 @@ impl Damage {
         regions_of(self.rect(), side)
     }
 
-    /// The same of those regions that have pixels that are drawn.
+    /// Column and row of the first region of a side, px, that has pixels that are drawn, and one past
+    /// those of the last. The side must divide [`RASTER_REGION`].
     pub fn drawn_regions(&self, side: u32) -> [[u32; 2]; 2] {
         regions_of(self.drawn, side)
     }

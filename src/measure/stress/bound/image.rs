@@ -260,32 +260,13 @@ impl ImageBound {
                 layers.resize_with(rows.len(), Vec::new);
                 layers.iter_mut().for_each(Vec::clear);
                 for (row, layers) in layers.chunks_mut(width).enumerate() {
-                    let y = 2 * pair + row;
-                    find_layers(&ordered, y, layers);
-                    for (x, layers) in layers.iter_mut().enumerate() {
-                        if !contains(drawn, [x, y]) {
-                            for layer in layers.iter_mut() {
-                                if ordered.splats[layer.rank as usize].strays {
-                                    layer.alpha.low = 0.0;
-                                }
-                            }
-                        }
-                    }
+                    find_layers(&ordered, 2 * pair + row, drawn, layers);
                 }
-                // The largest key at which each sample may be saturated.
-                let saturated: Vec<f64> = (0..width.div_ceil(2))
-                    .map(|sample| {
-                        if !tested {
-                            return 0.0;
-                        }
-                        let around: Vec<&[Layer]> = layers
-                            .chunks(width)
-                            .flat_map(|row| &row[2 * sample..(2 * sample + 2).min(width)])
-                            .map(Vec::as_slice)
-                            .collect();
-                        ordered.saturated_key(&around, saturation_light(rounding.cutoff))
-                    })
-                    .collect();
+                let saturated = if tested {
+                    saturated_keys(&ordered, layers, width, saturation_light(rounding.cutoff))
+                } else {
+                    vec![0.0; width.div_ceil(2)]
+                };
                 for (at, (pixel, layers)) in rows.iter_mut().zip(layers).enumerate() {
                     *pixel = ordered.blend(layers, rounding, saturated[at % width / 2]);
                 }
@@ -370,8 +351,28 @@ fn contains(rect: PixelRect, pixel: [usize; 2]) -> bool {
     rect.min.cmple(at).all() && at.cmplt(rect.max).all()
 }
 
-/// Appends the layers at each pixel of a row, nearest first. `all`: as many as the row has pixels.
-fn find_layers(ordered: &Ordered, row: usize, all: &mut [Vec<Layer>]) {
+/// The largest key at which each sample of a row of samples may be saturated. `layers`: of each
+/// pixel of the rows that the samples stand for, two or at the image's end one.
+fn saturated_keys(
+    ordered: &Ordered,
+    layers: &[Vec<Layer>],
+    width: usize,
+    threshold: f64,
+) -> Vec<f64> {
+    let key = |sample: usize| {
+        let around: Vec<&[Layer]> = layers
+            .chunks(width)
+            .flat_map(|row| &row[2 * sample..(2 * sample + 2).min(width)])
+            .map(Vec::as_slice)
+            .collect();
+        ordered.saturated_key(&around, threshold)
+    };
+    (0..width.div_ceil(2)).map(key).collect()
+}
+
+/// Appends the layers at each pixel of a row, nearest first. Beyond `drawn` a device may leave out
+/// splats that stray. `all`: as many as the row has pixels.
+fn find_layers(ordered: &Ordered, row: usize, drawn: PixelRect, all: &mut [Vec<Layer>]) {
     let y = row as f64 + 0.5;
     for (rank, splat) in ordered.splats.iter().enumerate() {
         if (y - splat.center.y).abs() > splat.reach.y {
@@ -382,7 +383,10 @@ fn find_layers(ordered: &Ordered, row: usize, all: &mut [Vec<Layer>]) {
         let end = (splat.center.x + splat.reach.x + 0.5).floor().max(0.0) as usize;
         let end = end.min(all.len());
         for (x, layers) in all[..end].iter_mut().enumerate().skip(from) {
-            if let Some(alpha) = splat.alpha(DVec2::new(x as f64 + 0.5, y)) {
+            if let Some(mut alpha) = splat.alpha(DVec2::new(x as f64 + 0.5, y)) {
+                if splat.strays && !contains(drawn, [x, row]) {
+                    alpha.low = 0.0;
+                }
                 layers.push(Layer {
                     rank: rank as u32,
                     alpha,
