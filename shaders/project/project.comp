@@ -136,6 +136,12 @@ uint project_gaussian(uint index) {
     vec2 center;
     float key;
     bool visible = project_center(p, center, key);
+    // By how much a corrective makes one larger is not known yet.
+    bool corrected = (gaussians[block].y >> (i & 31u) & 1u) != 0u;
+    if (visible && !corrected) {
+        float largest = max(max(log_scale.x, log_scale.y), log_scale.z);
+        visible = !misses_area(p, center, linear, exp(min(largest, LOG_SCALE_MAX)));
+    }
     if (!STORE && !visible) {
         return SORT_CULLED;
     }

@@ -19,9 +19,13 @@ uint project_gaussian(uint index) {
     vec4 x = vec4(cached_position(position), 1.0);
     vec3 p = vec3(dot(frame.camera_from_cache[0], x), dot(frame.camera_from_cache[1], x),
                   dot(frame.camera_from_cache[2], x));
+    mat3 rows = mat3(frame.camera_from_cache[0].xyz, frame.camera_from_cache[1].xyz,
+                     frame.camera_from_cache[2].xyz);
     vec2 center;
     float key;
-    if (!project_center(p, center, key)) {
+    // The size is that along an axis: no deviation is larger than √3 times that.
+    if (!project_center(p, center, key) ||
+        misses_area(p, center, rows, sqrt(3.0) * cached_size(position))) {
         return SORT_CULLED;
     }
     if (float(opacity) <= frame.cutoff) {
@@ -30,8 +34,6 @@ uint project_gaussian(uint index) {
     }
     at = frame.cache_start + 3u * (frame.drawn + index);
     uvec3 shape = uvec3(words[at], words[at + 1u], words[at + 2u]);
-    mat3 rows = mat3(frame.camera_from_cache[0].xyz, frame.camera_from_cache[1].xyz,
-                     frame.camera_from_cache[2].xyz);
     return write_splat(index, p, center, key, rows, cached_axes(position, shape),
                        cached_color(shape), opacity);
 }

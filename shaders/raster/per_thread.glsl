@@ -94,8 +94,13 @@ void blend_row(inout vec4 a, inout vec4 b, inout vec4 c, inout vec4 d, inout Foo
 void blend(inout Square square, Uniforms uniforms, uvec4 words) {
     const float half_side = 0.5 * float(SIDE - 1u);
     const uint position = (1u << POSITION_BITS) - 1u;
-    vec2 from = square.middle - (vec2(masked(words.x, position), masked(words.y, position)) /
-                                     uniforms.fixed_scale - uniforms.guard);
+    // coarseness_of(words); the highest bit is that of a sign.
+    const float finer = float(1u << CENTER_GRID_BITS);
+    float coarseness = (1.0 + (finer - 1.0) / float(1u << 30u) * masked(words.y, 1u << 30u)) *
+                       mix(1.0, finer * finer, int(words.y) < 0);
+    vec2 from = square.middle - coarseness * (vec2(masked(words.x, position),
+                                                   masked(words.y, position)) /
+                                                  uniforms.fixed_scale - uniforms.guard);
     vec2 axis = vec2(lower_half(words.z), upper_half(words.z));
     float shorter = lower_half(words.w);
     float opacity = masked(words.w, 0xffu << 16u) / 65536.0;

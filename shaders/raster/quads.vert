@@ -53,7 +53,7 @@ void main() {
                   (gl_VertexIndex & 2) == 0 ? -radius : radius);
     vec2 across = vec2(-splat.axis.y, splat.axis.x) *
                   (inversesqrt(dot(splat.axis, splat.axis)) * splat.shorter);
-    vec2 at = fixed_center(words) - frame.clip.z +
+    vec2 at = (fixed_center(words) - frame.clip.z) * coarseness_of(words) +
               frame.clip.w * (offset.x * splat.axis + offset.y * across);
     gl_Position.xy = at * frame.clip.xy - 1.0;
     if (DEPTH) {

@@ -10,8 +10,8 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     vec4 near;
     // What the camera multiplies the avatar's light by: exposure and white balance.
     vec4 gain;
-    // Variance of the low-pass, px²; 1 where opacities are compensated; the guard band, px; the
-    // slope of hidden layers below 0.
+    // Variance of the low-pass, px²; 1 where opacities are compensated; the slope of hidden layers
+    // below 0.
     vec4 low_pass;
     // Weight of |difference| of one channel of a pixel; weight of a scale, and from which scale on,
     // metres; of what other losses ask.

@@ -36,7 +36,7 @@ void main() {
                 }
                 sum = clamp(sum, -FEATURE_MAX, FEATURE_MAX);
                 if (layer + 1u < LAYERS) {
-                    sum = max(sum, block.low_pass.w * sum);
+                    sum = max(sum, block.low_pass.z * sum);
                 }
                 left[r] = sum;
                 activations[results + neuron] = sum;

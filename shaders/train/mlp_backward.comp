@@ -37,7 +37,7 @@ void main() {
                     sum += of_outputs[neuron] * networks[weights + i * neurons + neuron];
                 }
                 // The activation's result has the sign of what entered it.
-                found[r] = sum * (activations[before + i] > 0.0 ? 1.0 : block.low_pass.w);
+                found[r] = sum * (activations[before + i] > 0.0 ? 1.0 : block.low_pass.z);
                 of_sums[before + i] = found[r];
             }
         }

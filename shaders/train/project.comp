@@ -127,9 +127,7 @@ void main() {
     float det = unfiltered + low_pass * (a + c - low_pass);
     vec2 center = block.lens.xy * t.xy / t.z + block.lens.zw;
     vec2 size = vec2(block.image_size.xy);
-    if (!(det > 0.0 && max(a, c) <= VARIANCE_MAX) || !all(lessThanEqual(abs(color), vec3(FEATURE_MAX))) ||
-        !all(greaterThanEqual(center, vec2(-block.low_pass.z))) ||
-        !all(lessThanEqual(center, size + block.low_pass.z))) {
+    if (!(det > 0.0 && max(a, c) <= VARIANCE_MAX) || !all(lessThanEqual(abs(color), vec3(FEATURE_MAX)))) {
         write_culled(g);
         return;
     }
@@ -142,7 +140,8 @@ void main() {
         return;
     }
     vec2 radius = sqrt(reach * vec2(a, c));
-    if (any(lessThan(center + radius, vec2(0.0))) || any(lessThan(size + radius - center, vec2(0.0)))) {
+    if (!(all(greaterThanEqual(center + radius, vec2(0.0))) &&
+          all(greaterThanEqual(size + radius - center, vec2(0.0))))) {
         write_culled(g);
         return;
     }

@@ -32,6 +32,8 @@ pub const ROTATION_MIN: f64 = 1e-3;
 /// Largest variance of a splat in the image, px². Larger splats are culled: f32 does not resolve
 /// their shape.
 pub const VARIANCE_MAX: f64 = 1e18;
+/// The coarsest level of detail: one Gaussian in eight.
+pub const DETAIL_COARSEST: u32 = 3;
 /// Culling takes a Gaussian's longest axis as this many times longer than stored, for what
 /// correctives and skinning add to it.
 pub const LONGEST_MARGIN: f64 = 1.2;

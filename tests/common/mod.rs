@@ -9,6 +9,8 @@ mod body;
 pub mod gpu;
 #[macro_use]
 pub mod harness;
+pub mod plain;
+pub mod wide;
 
 use effigy_core::avatar::{harmonics::functions_of, *};
 use effigy_core::io::splats::{Splats, Up};

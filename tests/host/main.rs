@@ -30,6 +30,7 @@ mod ply;
 mod projection;
 mod reference;
 mod reference_bodies;
+mod rules;
 mod score;
 mod shaders;
 mod smpl;
@@ -89,6 +90,7 @@ fn main() -> ExitCode {
             projection,
             reference,
             reference_bodies,
+            rules,
             score,
             shaders,
             smpl,

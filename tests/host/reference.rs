@@ -436,16 +436,18 @@ fn every_reason_to_cull_is_reported() {
     // that is 5 px outside.
     assert_eq!(reason(at(0.66, 0.0)), None);
     assert_eq!(reason(at(-0.75, 0.0)), Some(Culled::Outside));
-    // 97.5 px from the middle is where the guard ends, on either side.
-    let wide = |x| Dot {
-        log_scale: [1.0; 3],
-        ..at(x, -0.99)
+    // However far outside the image its centre is, here more than its longer side: what shows is
+    // not culled, and what doesn't is.
+    let aside = |x, log_scale| {
+        reason(Dot {
+            log_scale: [log_scale; 3],
+            ..at(x, -0.99)
+        })
     };
-    assert_eq!([reason(wide(0.98)), reason(wide(-0.98))], [None, None]);
-    assert_eq!(
-        [reason(wide(0.99)), reason(wide(-0.99))],
-        [Some(Culled::Guard); 2]
-    );
+    for x in [0.99, -0.99] {
+        assert_eq!(aside(x, 1.0), None, "{x} m");
+        assert_eq!(aside(x, -3.0), Some(Culled::Outside), "{x} m");
+    }
     assert_eq!(
         reason(Dot {
             log_scale: [f64::INFINITY, 0.0, 0.0],

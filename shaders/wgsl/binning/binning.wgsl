@@ -147,16 +147,16 @@ var<storage> unnamed_2: Order_1;
 var<storage> unnamed_3: Splats_1;
 
 fn needs_block_u0028_u1_u003b(head_1: ptr<function, u32>) -> bool {
-    var phi_251_: bool;
+    var phi_269_: bool;
 
     let _e3 = (*head_1);
     let _e4 = (_e3 == 0u);
-    phi_251_ = _e4;
+    phi_269_ = _e4;
     if !(_e4) {
         let _e6 = (*head_1);
-        phi_251_ = ((_e6 & 7u) == 7u);
+        phi_269_ = ((_e6 & 7u) == 7u);
     }
-    let _e10 = phi_251_;
+    let _e10 = phi_269_;
     return _e10;
 }
 
@@ -238,43 +238,52 @@ fn radius_of_u0028_u1_u003b(opacity_1: ptr<function, u32>) -> f32 {
     return _e8;
 }
 
-fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e2 = (*words);
+fn coarseness_of_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> f32 {
+    let _e6 = (*words)[1u];
+    return bitcast<f32>((((_e6 >> bitcast<u32>(30u)) * 50331648u) + bitcast<u32>(1f)));
+}
+
+fn fixed_center_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> vec2<f32> {
+    let _e2 = (*words_1);
     return vec2<f32>((_e2.xy & vec2(1048575u)));
 }
 
-fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
+fn unpack_splat_u0028_vu4_u003b(words_2: ptr<function, vec4<u32>>) -> Splat {
     var splat_3: Splat;
     var param_26: vec4<u32>;
+    var param_27: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
-    let _e18 = (*words_1);
-    param_26 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_26));
-    let _e21 = frame.fixed_scale;
-    let _e25 = frame.guard;
-    splat_3.center = ((_e19 / vec2(_e21)) - vec2(_e25));
-    let _e30 = (*words_1)[2u];
-    splat_3.axis = unpack2x16float(_e30);
-    let _e34 = (*words_1)[3u];
-    splat_3.shorter = unpack2x16float(_e34).x;
-    let _e39 = (*words_1)[3u];
-    let _e45 = (*words_1)[0u];
-    blue = (((_e39 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e45 >> bitcast<u32>(30u)));
-    let _e50 = (*words_1)[0u];
-    red = ((_e50 >> bitcast<u32>(20u)) & 1023u);
-    let _e55 = (*words_1)[1u];
-    green = ((_e55 >> bitcast<u32>(20u)) & 1023u);
-    let _e59 = red;
-    let _e61 = green;
-    let _e63 = blue;
-    splat_3.color = (vec3<f32>(f32(_e59), f32(_e61), f32(_e63)) / vec3(1023f));
-    let _e70 = (*words_1)[3u];
-    splat_3.opacity = ((_e70 >> bitcast<u32>(16u)) & 255u);
-    let _e75 = splat_3;
-    return _e75;
+    let _e19 = (*words_2);
+    param_26 = _e19;
+    let _e20 = fixed_center_u0028_vu4_u003b((&param_26));
+    let _e22 = frame.fixed_scale;
+    let _e26 = frame.guard;
+    let _e29 = (*words_2);
+    param_27 = _e29;
+    let _e30 = coarseness_of_u0028_vu4_u003b((&param_27));
+    splat_3.center = (((_e20 / vec2(_e22)) - vec2(_e26)) * _e30);
+    let _e34 = (*words_2)[2u];
+    splat_3.axis = unpack2x16float(_e34);
+    let _e38 = (*words_2)[3u];
+    splat_3.shorter = unpack2x16float(_e38).x;
+    let _e43 = (*words_2)[3u];
+    let _e49 = (*words_2)[0u];
+    blue = (((_e43 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e49 >> bitcast<u32>(30u)));
+    let _e54 = (*words_2)[0u];
+    red = ((_e54 >> bitcast<u32>(20u)) & 1023u);
+    let _e59 = (*words_2)[1u];
+    green = ((_e59 >> bitcast<u32>(20u)) & 1023u);
+    let _e63 = red;
+    let _e65 = green;
+    let _e67 = blue;
+    splat_3.color = (vec3<f32>(f32(_e63), f32(_e65), f32(_e67)) / vec3(1023f));
+    let _e74 = (*words_2)[3u];
+    splat_3.opacity = ((_e74 >> bitcast<u32>(16u)) & 255u);
+    let _e79 = splat_3;
+    return _e79;
 }
 
 @compute @workgroup_size(8, 1, 1) 

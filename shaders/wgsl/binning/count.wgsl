@@ -137,99 +137,99 @@ var<uniform> global_6: type_23;
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: array<u32, 10>;
-    var phi_822_: u32;
-    var phi_823_: u32;
-    var phi_824_: u32;
-    var phi_604_: bool;
-    var phi_827_: u32;
-    var phi_830_: u32;
-    var phi_825_: u32;
-    var phi_826_: u32;
+    var phi_854_: u32;
+    var phi_855_: u32;
+    var phi_856_: u32;
+    var phi_622_: bool;
+    var phi_859_: u32;
+    var phi_862_: u32;
+    var phi_857_: u32;
+    var phi_858_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e25 = bitcast<u32>(param[0u]);
-            let _e27 = bitcast<u32>(param_1[0u]);
-            let _e28 = (_e27 * 256u);
-            let _e31 = global_2.member.member_6;
-            if (_e28 >= _e31) {
+            let _e28 = bitcast<u32>(param[0u]);
+            let _e30 = bitcast<u32>(param_1[0u]);
+            let _e31 = (_e30 * 256u);
+            let _e34 = global_2.member.member_6;
+            if (_e31 >= _e34) {
                 break;
             }
-            phi_822_ = _e25;
+            phi_854_ = _e28;
             loop {
-                let _e34 = phi_822_;
-                if (_e34 < 10u) {
+                let _e37 = phi_854_;
+                if (_e37 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    atomicStore((&global_4[_e34]), 0u);
-                    phi_822_ = (_e34 + 128u);
+                    atomicStore((&global_4[_e37]), 0u);
+                    phi_854_ = (_e37 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_823_ = 0u;
+            phi_855_ = 0u;
             loop {
-                let _e42 = phi_823_;
-                if (_e42 < 10u) {
+                let _e45 = phi_855_;
+                if (_e45 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    local[_e42] = 0u;
-                    phi_823_ = (_e42 + bitcast<u32>(1i));
+                    local[_e45] = 0u;
+                    phi_855_ = (_e45 + bitcast<u32>(1i));
                 }
             }
-            phi_824_ = (_e28 + _e25);
+            phi_856_ = (_e31 + _e28);
             loop {
-                let _e49 = phi_824_;
-                if (_e49 < min(((_e27 + 1u) * 256u), _e31)) {
-                    let _e55 = global_1.member[((_e31 - 1u) - _e49)];
-                    let _e58 = global_3.member[_e55];
-                    let _e63 = global.member_10;
-                    let _e67 = global.member_5;
-                    let _e69 = ((vec2<f32>((_e58.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e63)) - vec2(_e67));
-                    let _e71 = unpack2x16float(_e58.z);
-                    let _e80 = global.member_30;
-                    let _e83 = global.member_29;
-                    let _e91 = (unpack2x16float(_e58.w).x * inverseSqrt(dot(_e71, _e71)));
-                    let _e94 = _e71.yx;
-                    let _e99 = (sqrt(((_e71 * _e71) + ((_e94 * (_e91 * _e91)) * _e94))) * sqrt((2f * log(max((max(f32(((_e58.w >> bitcast<u32>(16u)) & 255u)), _e80) / _e83), 1f)))));
-                    let _e100 = (_e69 - _e99);
-                    let _e101 = (_e69 + _e99);
-                    let _e103 = global.member_46;
-                    let _e105 = global.member_4;
-                    let _e107 = vec2(_e103);
-                    let _e112 = vec2<f32>(((((vec2<u32>(_e105) + _e107) - vec2<u32>(1u, 1u)) / _e107) - vec2<u32>(1u, 1u)));
-                    let _e114 = vec2(f32(_e103));
-                    let _e122 = all((_e100 < _e105));
-                    phi_604_ = _e122;
-                    if _e122 {
-                        phi_604_ = all((_e101 > vec2<f32>(0f, 0f)));
+                let _e52 = phi_856_;
+                if (_e52 < min(((_e30 + 1u) * 256u), _e34)) {
+                    let _e58 = global_1.member[((_e34 - 1u) - _e52)];
+                    let _e61 = global_3.member[_e58];
+                    let _e66 = global.member_10;
+                    let _e70 = global.member_5;
+                    let _e79 = (((vec2<f32>((_e61.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e66)) - vec2(_e70)) * bitcast<f32>((((_e61.y >> bitcast<u32>(30u)) * 50331648u) + 1065353216u)));
+                    let _e81 = unpack2x16float(_e61.z);
+                    let _e90 = global.member_30;
+                    let _e93 = global.member_29;
+                    let _e101 = (unpack2x16float(_e61.w).x * inverseSqrt(dot(_e81, _e81)));
+                    let _e104 = _e81.yx;
+                    let _e109 = (sqrt(((_e81 * _e81) + ((_e104 * (_e101 * _e101)) * _e104))) * sqrt((2f * log(max((max(f32(((_e61.w >> bitcast<u32>(16u)) & 255u)), _e90) / _e93), 1f)))));
+                    let _e110 = (_e79 - _e109);
+                    let _e111 = (_e79 + _e109);
+                    let _e113 = global.member_46;
+                    let _e115 = global.member_4;
+                    let _e117 = vec2(_e113);
+                    let _e122 = vec2<f32>(((((vec2<u32>(_e115) + _e117) - vec2<u32>(1u, 1u)) / _e117) - vec2<u32>(1u, 1u)));
+                    let _e124 = vec2(f32(_e113));
+                    let _e132 = all((_e110 < _e115));
+                    phi_622_ = _e132;
+                    if _e132 {
+                        phi_622_ = all((_e111 > vec2<f32>(0f, 0f)));
                     }
-                    let _e126 = phi_604_;
-                    phi_827_ = 0u;
+                    let _e136 = phi_622_;
+                    phi_859_ = 0u;
                     loop {
-                        let _e129 = phi_827_;
-                        if (_e129 < 10u) {
-                            let _e131 = vec2(_e129);
-                            let _e137 = (((vec2<u32>(clamp((_e101 / _e114), vec2<f32>(0f, 0f), _e112)) >> bitcast<vec2<u32>>(_e131)) - (vec2<u32>(clamp((_e100 / _e114), vec2<f32>(0f, 0f), _e112)) >> bitcast<vec2<u32>>(_e131))) + vec2<u32>(1u, 1u));
-                            if !(_e126) {
-                                phi_830_ = 0u;
+                        let _e139 = phi_859_;
+                        if (_e139 < 10u) {
+                            let _e141 = vec2(_e139);
+                            let _e147 = (((vec2<u32>(clamp((_e111 / _e124), vec2<f32>(0f, 0f), _e122)) >> bitcast<vec2<u32>>(_e141)) - (vec2<u32>(clamp((_e110 / _e124), vec2<f32>(0f, 0f), _e122)) >> bitcast<vec2<u32>>(_e141))) + vec2<u32>(1u, 1u));
+                            if !(_e136) {
+                                phi_862_ = 0u;
                             } else {
-                                phi_830_ = (_e137.x * _e137.y);
+                                phi_862_ = (_e147.x * _e147.y);
                             }
-                            let _e142 = phi_830_;
-                            let _e144 = local[_e129];
-                            local[_e129] = (_e144 + _e142);
+                            let _e152 = phi_862_;
+                            let _e154 = local[_e139];
+                            local[_e139] = (_e154 + _e152);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_827_ = (_e129 + bitcast<u32>(1i));
+                            phi_859_ = (_e139 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -237,37 +237,37 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_824_ = (_e49 + 128u);
+                    phi_856_ = (_e52 + 128u);
                 }
             }
-            phi_825_ = 0u;
+            phi_857_ = 0u;
             loop {
-                let _e150 = phi_825_;
-                if (_e150 < 10u) {
+                let _e160 = phi_857_;
+                if (_e160 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e154 = local[_e150];
-                    let _e155 = atomicAdd((&global_4[_e150]), _e154);
-                    phi_825_ = (_e150 + bitcast<u32>(1i));
+                    let _e164 = local[_e160];
+                    let _e165 = atomicAdd((&global_4[_e160]), _e164);
+                    phi_857_ = (_e160 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            phi_826_ = _e25;
+            phi_858_ = _e28;
             loop {
-                let _e159 = phi_826_;
-                if (_e159 < 10u) {
+                let _e169 = phi_858_;
+                if (_e169 < 10u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e162 = global_6.member_11;
-                    let _e167 = atomicLoad((&global_4[_e159]));
-                    global_5.member[((_e162 + (_e27 * 10u)) + _e159)] = (_e167 + (_e167 & 1u));
-                    phi_826_ = (_e159 + 128u);
+                    let _e172 = global_6.member_11;
+                    let _e177 = atomicLoad((&global_4[_e169]));
+                    global_5.member[((_e172 + (_e30 * 10u)) + _e169)] = (_e177 + (_e177 & 1u));
+                    phi_858_ = (_e169 + 128u);
                 }
             }
             break;

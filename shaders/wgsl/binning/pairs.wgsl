@@ -146,143 +146,143 @@ var<storage, read_write> global_10: type_32;
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: array<u32, 2>;
-    var phi_1239_: u32;
-    var phi_801_: bool;
-    var phi_1266_: u32;
-    var phi_1270_: u32;
-    var phi_1240_: u32;
-    var phi_1260_: u32;
-    var phi_1264_: u32;
-    var phi_1261_: u32;
-    var phi_1241_: u32;
-    var phi_1243_: u32;
-    var phi_1242_: u32;
+    var phi_1271_: u32;
+    var phi_819_: bool;
+    var phi_1298_: u32;
+    var phi_1302_: u32;
+    var phi_1272_: u32;
+    var phi_1292_: u32;
+    var phi_1296_: u32;
+    var phi_1293_: u32;
+    var phi_1273_: u32;
+    var phi_1275_: u32;
+    var phi_1274_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_1244_: u32;
+    var phi_1276_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1247_: u32;
-    var phi_1246_: u32;
-    var phi_1252_: u32;
-    var phi_1251_: u32;
+    var phi_1279_: u32;
+    var phi_1278_: u32;
+    var phi_1284_: u32;
+    var phi_1283_: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1253_: u32;
+    var phi_1285_: u32;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
-    var phi_1256_: u32;
-    var phi_1255_: u32;
+    var phi_1288_: u32;
+    var phi_1287_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e33 = bitcast<u32>(param[0u]);
-            let _e35 = bitcast<u32>(param_1[0u]);
-            let _e36 = (_e35 * 256u);
-            let _e39 = global_2.member.member_6;
-            if (_e36 >= _e39) {
+            let _e36 = bitcast<u32>(param[0u]);
+            let _e38 = bitcast<u32>(param_1[0u]);
+            let _e39 = (_e38 * 256u);
+            let _e42 = global_2.member.member_6;
+            if (_e39 >= _e42) {
                 break;
             }
-            let _e43 = global_8.member[8i];
-            phi_1239_ = _e33;
+            let _e46 = global_8.member[8i];
+            phi_1271_ = _e36;
             loop {
-                let _e45 = phi_1239_;
-                if (_e45 < 256u) {
-                    let _e47 = (_e36 + _e45);
-                    global_5[_e45] = 1u;
-                    phi_1270_ = 0u;
-                    if (_e47 < _e39) {
-                        let _e54 = global_1.member[((_e39 - 1u) - _e47)];
-                        let _e57 = global_3.member[_e54];
-                        let _e62 = global.member_10;
-                        let _e66 = global.member_5;
-                        let _e68 = ((vec2<f32>((_e57.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e62)) - vec2(_e66));
-                        let _e70 = unpack2x16float(_e57.z);
-                        let _e79 = global.member_30;
-                        let _e82 = global.member_29;
-                        let _e90 = (unpack2x16float(_e57.w).x * inverseSqrt(dot(_e70, _e70)));
-                        let _e93 = _e70.yx;
-                        let _e98 = (sqrt(((_e70 * _e70) + ((_e93 * (_e90 * _e90)) * _e93))) * sqrt((2f * log(max((max(f32(((_e57.w >> bitcast<u32>(16u)) & 255u)), _e79) / _e82), 1f)))));
-                        let _e99 = (_e68 - _e98);
-                        let _e100 = (_e68 + _e98);
-                        let _e102 = global.member_46;
-                        let _e104 = global.member_4;
-                        let _e106 = vec2(_e102);
-                        let _e111 = vec2<f32>(((((vec2<u32>(_e104) + _e106) - vec2<u32>(1u, 1u)) / _e106) - vec2<u32>(1u, 1u)));
-                        let _e113 = vec2(f32(_e102));
-                        let _e119 = vec2<u32>(clamp((_e100 / _e113), vec2<f32>(0f, 0f), _e111));
-                        let _e121 = all((_e99 < _e104));
-                        phi_801_ = _e121;
-                        if _e121 {
-                            phi_801_ = all((_e100 > vec2<f32>(0f, 0f)));
+                let _e48 = phi_1271_;
+                if (_e48 < 256u) {
+                    let _e50 = (_e39 + _e48);
+                    global_5[_e48] = 1u;
+                    phi_1302_ = 0u;
+                    if (_e50 < _e42) {
+                        let _e57 = global_1.member[((_e42 - 1u) - _e50)];
+                        let _e60 = global_3.member[_e57];
+                        let _e65 = global.member_10;
+                        let _e69 = global.member_5;
+                        let _e78 = (((vec2<f32>((_e60.xy & vec2<u32>(1048575u, 1048575u))) / vec2(_e65)) - vec2(_e69)) * bitcast<f32>((((_e60.y >> bitcast<u32>(30u)) * 50331648u) + 1065353216u)));
+                        let _e80 = unpack2x16float(_e60.z);
+                        let _e89 = global.member_30;
+                        let _e92 = global.member_29;
+                        let _e100 = (unpack2x16float(_e60.w).x * inverseSqrt(dot(_e80, _e80)));
+                        let _e103 = _e80.yx;
+                        let _e108 = (sqrt(((_e80 * _e80) + ((_e103 * (_e100 * _e100)) * _e103))) * sqrt((2f * log(max((max(f32(((_e60.w >> bitcast<u32>(16u)) & 255u)), _e89) / _e92), 1f)))));
+                        let _e109 = (_e78 - _e108);
+                        let _e110 = (_e78 + _e108);
+                        let _e112 = global.member_46;
+                        let _e114 = global.member_4;
+                        let _e116 = vec2(_e112);
+                        let _e121 = vec2<f32>(((((vec2<u32>(_e114) + _e116) - vec2<u32>(1u, 1u)) / _e116) - vec2<u32>(1u, 1u)));
+                        let _e123 = vec2(f32(_e112));
+                        let _e129 = vec2<u32>(clamp((_e110 / _e123), vec2<f32>(0f, 0f), _e121));
+                        let _e131 = all((_e109 < _e114));
+                        phi_819_ = _e131;
+                        if _e131 {
+                            phi_819_ = all((_e110 > vec2<f32>(0f, 0f)));
                         }
-                        let _e125 = phi_801_;
-                        let _e127 = vec2(_e43);
-                        let _e131 = (vec2<u32>(clamp((_e99 / _e113), vec2<f32>(0f, 0f), _e111)) >> bitcast<vec2<u32>>(_e127));
-                        let _e133 = (((_e119 >> bitcast<vec2<u32>>(_e127)) - _e131) + vec2<u32>(1u, 1u));
-                        if !(_e125) {
-                            phi_1266_ = 0u;
+                        let _e135 = phi_819_;
+                        let _e137 = vec2(_e46);
+                        let _e141 = (vec2<u32>(clamp((_e109 / _e123), vec2<f32>(0f, 0f), _e121)) >> bitcast<vec2<u32>>(_e137));
+                        let _e143 = (((_e129 >> bitcast<vec2<u32>>(_e137)) - _e141) + vec2<u32>(1u, 1u));
+                        if !(_e135) {
+                            phi_1298_ = 0u;
                         } else {
-                            phi_1266_ = (_e133.x * _e133.y);
+                            phi_1298_ = (_e143.x * _e143.y);
                         }
-                        let _e138 = phi_1266_;
-                        global_7[_e45] = _e54;
-                        global_6[_e45] = (_e131.x | (_e131.y << bitcast<u32>(16u)));
-                        global_5[_e45] = (((_e119.x >> bitcast<u32>(_e43)) - _e131.x) + 1u);
-                        phi_1270_ = _e138;
+                        let _e148 = phi_1298_;
+                        global_7[_e48] = _e57;
+                        global_6[_e48] = (_e141.x | (_e141.y << bitcast<u32>(16u)));
+                        global_5[_e48] = (((_e129.x >> bitcast<u32>(_e46)) - _e141.x) + 1u);
+                        phi_1302_ = _e148;
                     }
-                    let _e152 = phi_1270_;
-                    global_4[_e45] = _e152;
+                    let _e162 = phi_1302_;
+                    global_4[_e48] = _e162;
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_1239_ = (_e45 + 128u);
+                    phi_1271_ = (_e48 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_1240_ = 1u;
+            phi_1272_ = 1u;
             loop {
-                let _e156 = phi_1240_;
-                if (_e156 < 256u) {
-                    phi_1260_ = 0u;
+                let _e166 = phi_1272_;
+                if (_e166 < 256u) {
+                    phi_1292_ = 0u;
                     loop {
-                        let _e159 = phi_1260_;
-                        if (_e159 < 2u) {
-                            let _e162 = ((_e159 * 128u) + _e33);
-                            if (_e162 >= _e156) {
-                                let _e166 = global_4[(_e162 - _e156)];
-                                phi_1264_ = _e166;
+                        let _e169 = phi_1292_;
+                        if (_e169 < 2u) {
+                            let _e172 = ((_e169 * 128u) + _e36);
+                            if (_e172 >= _e166) {
+                                let _e176 = global_4[(_e172 - _e166)];
+                                phi_1296_ = _e176;
                             } else {
-                                phi_1264_ = 0u;
+                                phi_1296_ = 0u;
                             }
-                            let _e168 = phi_1264_;
-                            local[_e159] = _e168;
+                            let _e178 = phi_1296_;
+                            local[_e169] = _e178;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_1260_ = (_e159 + bitcast<u32>(1i));
+                            phi_1292_ = (_e169 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
-                    phi_1261_ = 0u;
+                    phi_1293_ = 0u;
                     loop {
-                        let _e173 = phi_1261_;
-                        if (_e173 < 2u) {
+                        let _e183 = phi_1293_;
+                        if (_e183 < 2u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e178 = local[_e173];
-                            let _e180 = global_4[((_e173 * 128u) + _e33)];
-                            global_4[((_e173 * 128u) + _e33)] = (_e180 + _e178);
-                            phi_1261_ = (_e173 + bitcast<u32>(1i));
+                            let _e188 = local[_e183];
+                            let _e190 = global_4[((_e183 * 128u) + _e36)];
+                            global_4[((_e183 * 128u) + _e36)] = (_e190 + _e188);
+                            phi_1293_ = (_e183 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
@@ -291,141 +291,141 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_1240_ = (_e156 * 2u);
+                    phi_1272_ = (_e166 * 2u);
                 }
             }
-            let _e186 = global.member_46;
-            let _e190 = global.member_4;
-            let _e192 = vec2((_e186 << bitcast<u32>(_e43)));
-            let _e198 = global_9.member_11;
-            let _e203 = global_8.member[(_e198 + (_e35 * 10u))];
-            let _e205 = global_4[255i];
-            phi_1241_ = (2u * _e33);
+            let _e196 = global.member_46;
+            let _e200 = global.member_4;
+            let _e202 = vec2((_e196 << bitcast<u32>(_e46)));
+            let _e208 = global_9.member_11;
+            let _e213 = global_8.member[(_e208 + (_e38 * 10u))];
+            let _e215 = global_4[255i];
+            phi_1273_ = (2u * _e36);
             loop {
-                let _e210 = phi_1241_;
-                if (_e210 < (_e205 + (_e205 & 1u))) {
+                let _e220 = phi_1273_;
+                if (_e220 < (_e215 + (_e215 & 1u))) {
                     switch bitcast<i32>(0u) {
                         default: {
-                            let _e213 = global_4[255i];
-                            if (_e210 >= _e213) {
-                                phi_1247_ = 65535u;
-                                phi_1246_ = 0u;
+                            let _e223 = global_4[255i];
+                            if (_e220 >= _e223) {
+                                phi_1279_ = 65535u;
+                                phi_1278_ = 0u;
                                 break;
                             }
-                            phi_1243_ = 0u;
-                            phi_1242_ = 128u;
+                            phi_1275_ = 0u;
+                            phi_1274_ = 128u;
                             loop {
-                                let _e216 = phi_1243_;
-                                let _e218 = phi_1242_;
-                                local_1 = _e216;
-                                local_2 = _e216;
-                                local_3 = _e216;
-                                local_4 = _e216;
-                                local_5 = _e216;
-                                if (_e218 > 0u) {
+                                let _e226 = phi_1275_;
+                                let _e228 = phi_1274_;
+                                local_1 = _e226;
+                                local_2 = _e226;
+                                local_3 = _e226;
+                                local_4 = _e226;
+                                local_5 = _e226;
+                                if (_e228 > 0u) {
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e223 = global_4[((_e216 + _e218) - 1u)];
-                                    phi_1243_ = (_e216 + select(0u, _e218, (_e223 <= _e210)));
-                                    phi_1242_ = (_e218 / 2u);
+                                    let _e233 = global_4[((_e226 + _e228) - 1u)];
+                                    phi_1275_ = (_e226 + select(0u, _e228, (_e233 <= _e220)));
+                                    phi_1274_ = (_e228 / 2u);
                                 }
                             }
-                            let _e229 = local_1;
-                            if (_e229 > 0u) {
-                                let _e232 = local_2;
-                                let _e235 = global_4[(_e232 - 1u)];
-                                phi_1244_ = _e235;
+                            let _e239 = local_1;
+                            if (_e239 > 0u) {
+                                let _e242 = local_2;
+                                let _e245 = global_4[(_e242 - 1u)];
+                                phi_1276_ = _e245;
                             } else {
-                                phi_1244_ = 0u;
+                                phi_1276_ = 0u;
                             }
-                            let _e237 = phi_1244_;
-                            let _e238 = (_e210 - _e237);
-                            let _e240 = local_3;
-                            let _e242 = global_5[_e240];
-                            let _e243 = (_e238 / _e242);
-                            let _e245 = local_4;
-                            let _e247 = global_6[_e245];
-                            let _e250 = global_5[_e240];
-                            let _e253 = global_6[_e245];
-                            let _e260 = local_5;
-                            let _e262 = global_7[_e260];
-                            phi_1247_ = ((((_e253 >> bitcast<u32>(16u)) + _e243) * (((vec2<u32>(_e190) + _e192) - vec2<u32>(1u, 1u)) / _e192).x) + (((_e247 & 65535u) + _e238) - (_e243 * _e250)));
-                            phi_1246_ = _e262;
+                            let _e247 = phi_1276_;
+                            let _e248 = (_e220 - _e247);
+                            let _e250 = local_3;
+                            let _e252 = global_5[_e250];
+                            let _e253 = (_e248 / _e252);
+                            let _e255 = local_4;
+                            let _e257 = global_6[_e255];
+                            let _e260 = global_5[_e250];
+                            let _e263 = global_6[_e255];
+                            let _e270 = local_5;
+                            let _e272 = global_7[_e270];
+                            phi_1279_ = ((((_e263 >> bitcast<u32>(16u)) + _e253) * (((vec2<u32>(_e200) + _e202) - vec2<u32>(1u, 1u)) / _e202).x) + (((_e257 & 65535u) + _e248) - (_e253 * _e260)));
+                            phi_1278_ = _e272;
                             break;
                         }
                     }
-                    let _e264 = phi_1247_;
-                    let _e266 = phi_1246_;
-                    let _e267 = (_e210 + 1u);
+                    let _e274 = phi_1279_;
+                    let _e276 = phi_1278_;
+                    let _e277 = (_e220 + 1u);
                     switch bitcast<i32>(0u) {
                         default: {
-                            let _e269 = global_4[255i];
-                            if (_e267 >= _e269) {
-                                phi_1256_ = 65535u;
-                                phi_1255_ = 0u;
+                            let _e279 = global_4[255i];
+                            if (_e277 >= _e279) {
+                                phi_1288_ = 65535u;
+                                phi_1287_ = 0u;
                                 break;
                             }
-                            phi_1252_ = 0u;
-                            phi_1251_ = 128u;
+                            phi_1284_ = 0u;
+                            phi_1283_ = 128u;
                             loop {
-                                let _e272 = phi_1252_;
-                                let _e274 = phi_1251_;
-                                local_6 = _e272;
-                                local_7 = _e272;
-                                local_8 = _e272;
-                                local_9 = _e272;
-                                local_10 = _e272;
-                                if (_e274 > 0u) {
+                                let _e282 = phi_1284_;
+                                let _e284 = phi_1283_;
+                                local_6 = _e282;
+                                local_7 = _e282;
+                                local_8 = _e282;
+                                local_9 = _e282;
+                                local_10 = _e282;
+                                if (_e284 > 0u) {
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e279 = global_4[((_e272 + _e274) - 1u)];
-                                    phi_1252_ = (_e272 + select(0u, _e274, (_e279 <= _e267)));
-                                    phi_1251_ = (_e274 / 2u);
+                                    let _e289 = global_4[((_e282 + _e284) - 1u)];
+                                    phi_1284_ = (_e282 + select(0u, _e284, (_e289 <= _e277)));
+                                    phi_1283_ = (_e284 / 2u);
                                 }
                             }
-                            let _e285 = local_6;
-                            if (_e285 > 0u) {
-                                let _e288 = local_7;
-                                let _e291 = global_4[(_e288 - 1u)];
-                                phi_1253_ = _e291;
+                            let _e295 = local_6;
+                            if (_e295 > 0u) {
+                                let _e298 = local_7;
+                                let _e301 = global_4[(_e298 - 1u)];
+                                phi_1285_ = _e301;
                             } else {
-                                phi_1253_ = 0u;
+                                phi_1285_ = 0u;
                             }
-                            let _e293 = phi_1253_;
-                            let _e294 = (_e267 - _e293);
-                            let _e296 = local_8;
-                            let _e298 = global_5[_e296];
-                            let _e299 = (_e294 / _e298);
-                            let _e301 = local_9;
-                            let _e303 = global_6[_e301];
-                            let _e306 = global_5[_e296];
-                            let _e309 = global_6[_e301];
-                            let _e316 = local_10;
-                            let _e318 = global_7[_e316];
-                            phi_1256_ = ((((_e309 >> bitcast<u32>(16u)) + _e299) * (((vec2<u32>(_e190) + _e192) - vec2<u32>(1u, 1u)) / _e192).x) + (((_e303 & 65535u) + _e294) - (_e299 * _e306)));
-                            phi_1255_ = _e318;
+                            let _e303 = phi_1285_;
+                            let _e304 = (_e277 - _e303);
+                            let _e306 = local_8;
+                            let _e308 = global_5[_e306];
+                            let _e309 = (_e304 / _e308);
+                            let _e311 = local_9;
+                            let _e313 = global_6[_e311];
+                            let _e316 = global_5[_e306];
+                            let _e319 = global_6[_e311];
+                            let _e326 = local_10;
+                            let _e328 = global_7[_e326];
+                            phi_1288_ = ((((_e319 >> bitcast<u32>(16u)) + _e309) * (((vec2<u32>(_e200) + _e202) - vec2<u32>(1u, 1u)) / _e202).x) + (((_e313 & 65535u) + _e304) - (_e309 * _e316)));
+                            phi_1287_ = _e328;
                             break;
                         }
                     }
-                    let _e320 = phi_1256_;
-                    let _e322 = phi_1255_;
-                    let _e324 = global_9.member_13;
-                    let _e326 = ((_e324 + _e203) + _e210);
-                    global_8.member[_e326] = _e266;
-                    global_8.member[(_e326 + 1u)] = _e322;
-                    global_10.member[((_e203 + _e210) / 2u)] = (_e264 | (_e320 << bitcast<u32>(16u)));
+                    let _e330 = phi_1288_;
+                    let _e332 = phi_1287_;
+                    let _e334 = global_9.member_13;
+                    let _e336 = ((_e334 + _e213) + _e220);
+                    global_8.member[_e336] = _e276;
+                    global_8.member[(_e336 + 1u)] = _e332;
+                    global_10.member[((_e213 + _e220) / 2u)] = (_e274 | (_e330 << bitcast<u32>(16u)));
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_1241_ = (_e210 + 256u);
+                    phi_1273_ = (_e220 + 256u);
                 }
             }
             break;

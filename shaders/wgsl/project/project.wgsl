@@ -135,527 +135,548 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_4639_: u32;
-    var phi_4638_: bool;
-    var phi_2845_: bool;
+    var phi_5017_: u32;
+    var phi_5016_: bool;
+    var phi_3064_: bool;
     var local: bool;
-    var phi_3305_: bool;
-    var phi_4641_: f32;
-    var phi_4642_: f32;
-    var phi_4650_: f32;
-    var phi_4644_: vec2<f32>;
-    var phi_4643_: bool;
-    var phi_4654_: vec4<f32>;
-    var phi_4655_: vec4<f32>;
-    var phi_4656_: vec4<f32>;
-    var phi_4668_: vec3<f32>;
-    var phi_4670_: vec4<f32>;
-    var phi_4669_: u32;
+    var phi_5019_: f32;
+    var phi_5020_: f32;
+    var phi_5026_: f32;
+    var phi_5022_: vec2<f32>;
+    var phi_5021_: bool;
+    var phi_5032_: bool;
+    var phi_5033_: bool;
+    var phi_5034_: vec4<f32>;
+    var phi_5035_: vec4<f32>;
+    var phi_5036_: vec4<f32>;
+    var phi_5046_: vec3<f32>;
+    var phi_5048_: vec4<f32>;
+    var phi_5047_: u32;
     var local_1: vec4<f32>;
-    var phi_4685_: vec4<f32>;
-    var phi_4673_: vec3<f32>;
-    var phi_4672_: u32;
+    var phi_5063_: vec4<f32>;
+    var phi_5051_: vec3<f32>;
+    var phi_5050_: u32;
     var local_2: vec3<f32>;
-    var phi_4689_: vec3<f32>;
-    var phi_4682_: vec3<f32>;
-    var phi_4681_: u32;
+    var phi_5067_: vec3<f32>;
+    var phi_5060_: vec3<f32>;
+    var phi_5059_: u32;
     var local_3: vec3<f32>;
-    var phi_4691_: vec3<f32>;
-    var phi_4123_: bool;
-    var phi_4129_: bool;
-    var phi_4696_: f32;
-    var phi_4695_: u32;
+    var phi_5069_: vec3<f32>;
+    var phi_4438_: bool;
+    var phi_4444_: bool;
+    var phi_5074_: f32;
+    var phi_5073_: u32;
     var local_4: f32;
-    var phi_4704_: u32;
-    var phi_4207_: bool;
-    var phi_4708_: vec2<f32>;
-    var phi_4709_: vec2<f32>;
-    var phi_4710_: u32;
-    var phi_4711_: u32;
-    var phi_4712_: u32;
+    var phi_5082_: u32;
+    var phi_4522_: bool;
+    var phi_5086_: vec2<f32>;
+    var phi_5087_: vec2<f32>;
+    var phi_5090_: u32;
+    var phi_5091_: u32;
+    var phi_5092_: u32;
 
-    let _e66 = bitcast<u32>(param_1[0u]);
-    let _e68 = global.member_44;
-    let _e69 = (_e66 < _e68);
-    if _e69 {
+    let _e71 = bitcast<u32>(param_1[0u]);
+    let _e73 = global.member_44;
+    let _e74 = (_e71 < _e73);
+    if _e74 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e72 = global.member_14;
-                let _e74 = global.member_43;
-                let _e76 = (_e66 << bitcast<u32>(_e74));
-                let _e80 = (4u * (_e72 + (_e76 >> bitcast<u32>(5u))));
-                let _e85 = global_7.member[(_e80 + 3u)][0u];
-                phi_4639_ = (_e85 & 65535u);
-                phi_4638_ = true;
+                let _e77 = global.member_14;
+                let _e79 = global.member_43;
+                let _e81 = (_e71 << bitcast<u32>(_e79));
+                let _e85 = (4u * (_e77 + (_e81 >> bitcast<u32>(5u))));
+                let _e90 = global_7.member[(_e85 + 3u)][0u];
+                phi_5017_ = (_e90 & 65535u);
+                phi_5016_ = true;
                 loop {
-                    let _e88 = phi_4639_;
-                    let _e90 = phi_4638_;
-                    local = _e90;
-                    phi_2845_ = _e90;
-                    if _e90 {
-                        phi_2845_ = (_e88 <= (_e85 >> bitcast<u32>(16u)));
-                    }
-                    let _e95 = phi_2845_;
+                    let _e93 = phi_5017_;
+                    let _e95 = phi_5016_;
+                    local = _e95;
+                    phi_3064_ = _e95;
                     if _e95 {
+                        phi_3064_ = (_e93 <= (_e90 >> bitcast<u32>(16u)));
+                    }
+                    let _e100 = phi_3064_;
+                    if _e100 {
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e104 = global.member_55[(_e88 >> bitcast<u32>(7u))][((_e88 >> bitcast<u32>(5u)) & 3u)];
-                        phi_4639_ = (_e88 + bitcast<u32>(1i));
-                        phi_4638_ = (((_e104 >> bitcast<u32>((_e88 & 31u))) & 1u) != 0u);
+                        let _e109 = global.member_55[(_e93 >> bitcast<u32>(7u))][((_e93 >> bitcast<u32>(5u)) & 3u)];
+                        phi_5017_ = (_e93 + bitcast<u32>(1i));
+                        phi_5016_ = (((_e109 >> bitcast<u32>((_e93 & 31u))) & 1u) != 0u);
                     }
                 }
-                let _e113 = local;
-                if _e113 {
-                    let _e115 = global_3.member_9;
-                    if (_e115 != 0u) {
-                        let _e119 = atomicAdd((&global_2.member[0u]), 1u);
+                let _e118 = local;
+                if _e118 {
+                    let _e120 = global_3.member_9;
+                    if (_e120 != 0u) {
+                        let _e124 = atomicAdd((&global_2.member[0u]), 1u);
                     }
-                    phi_4711_ = 4294967295u;
+                    phi_5091_ = 4294967295u;
                     break;
                 }
-                let _e120 = (2u * _e76);
-                let _e123 = global_7.member[_e120];
-                let _e127 = global_7.member[(_e120 + 1u)];
-                let _e132 = global_7.member[((2u * _e72) + _e76)];
-                let _e134 = global.member_15;
-                let _e138 = bitcast<u32>(firstLeadingBit((max(_e134, 4096u) - 1u)));
-                let _e139 = (_e138 + 1u);
-                let _e140 = (15u - _e138);
-                let _e154 = (vec2<u32>((32u << bitcast<u32>((2u * _e140))), (32u << bitcast<u32>(_e140))) - vec2<u32>(1u, 1u));
-                let _e170 = (vec2<f32>(vec2<u32>(((((_e132.x >> bitcast<u32>(16u)) >> bitcast<u32>(((2u * _e139) - 16u))) << bitcast<u32>(5u)) | ((_e132.y >> bitcast<u32>(_e139)) & 31u)), ((_e132.y >> bitcast<u32>((_e138 + 6u))) & _e154.y))) / vec2<f32>(_e154));
-                let _e174 = ((1f + (2f * _e170.x)) * 0.33333334f);
-                let _e175 = (1f - _e174);
-                let _e179 = (_e175 * (0.5f + (0.5f * _e170.y)));
-                let _e188 = (vec3<u32>(_e132.x, (_e132.x >> bitcast<u32>(_e139)), _e132.y) & vec3(((1u << bitcast<u32>(_e139)) - 1u)));
-                let _e200 = global.member_11;
-                let _e203 = global.member_12;
-                let _e209 = global.member_21;
-                let _e210 = (2u * _e209);
-                let _e214 = global_1.member[(_e210 + _e188.x)];
-                let _e216 = unpack2x16float(_e214.x);
-                let _e229 = global_1.member[(_e210 + _e188.y)];
-                let _e231 = unpack2x16float(_e229.x);
-                let _e244 = global_1.member[(_e210 + _e188.z)];
-                let _e246 = unpack2x16float(_e244.x);
-                let _e254 = ((((_e200.xyz + (_e203.xyz * vec3<f32>(f32((_e123.x & 65535u)), f32((_e123.x >> bitcast<u32>(16u))), f32((_e123.y & 65535u))))) + (vec3<f32>(_e216.x, _e216.y, unpack2x16float(_e214.y).x) * _e174)) + (vec3<f32>(_e231.x, _e231.y, unpack2x16float(_e229.y).x) * _e179)) + (vec3<f32>(_e246.x, _e246.y, unpack2x16float(_e244.y).x) * (_e175 - _e179)));
-                let _e258 = vec4<f32>(_e254.x, _e254.y, _e254.z, 1f);
-                let _e271 = (((_e123.y >> bitcast<u32>(16u)) | ((_e127.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e132.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e283 = global.member_32;
-                let _e285 = global.member_33;
-                let _e288 = (vec3(_e283) + (vec3<f32>(f32((_e271 & 1023u)), f32(((_e271 >> bitcast<u32>(10u)) & 1023u)), f32((_e271 >> bitcast<u32>(20u)))) * _e285));
-                let _e297 = (vec4<u32>(_e127.x, (_e127.x >> bitcast<u32>(8u)), (_e127.x >> bitcast<u32>(16u)), (_e127.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e303 = (vec3<u32>(_e127.y, (_e127.y >> bitcast<u32>(8u)), (_e127.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e304 = vec3<f32>(_e303);
-                let _e316 = (vec4<f32>(_e304.x, _e304.y, _e304.z, f32((((255u - _e303.x) - _e303.y) - _e303.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e319 = (3u * _e297.x);
-                let _e322 = global.member_58[_e319];
-                let _e327 = global.member_58[(_e319 + 1u)];
-                let _e332 = global.member_58[(_e319 + 2u)];
-                let _e336 = (3u * _e297.y);
-                let _e339 = global.member_58[_e336];
-                let _e345 = global.member_58[(_e336 + 1u)];
-                let _e351 = global.member_58[(_e336 + 2u)];
-                let _e356 = (3u * _e297.z);
-                let _e359 = global.member_58[_e356];
-                let _e365 = global.member_58[(_e356 + 1u)];
-                let _e371 = global.member_58[(_e356 + 2u)];
-                let _e376 = (3u * _e297.w);
-                let _e379 = global.member_58[_e376];
-                let _e381 = ((((_e322 * _e316.x) + (_e339 * _e316.y)) + (_e359 * _e316.z)) + (_e379 * _e316.w));
-                let _e385 = global.member_58[(_e376 + 1u)];
-                let _e387 = ((((_e327 * _e316.x) + (_e345 * _e316.y)) + (_e365 * _e316.z)) + (_e385 * _e316.w));
-                let _e391 = global.member_58[(_e376 + 2u)];
-                let _e393 = ((((_e332 * _e316.x) + (_e351 * _e316.y)) + (_e371 * _e316.z)) + (_e391 * _e316.w));
-                let _e396 = dot(_e393, _e258);
-                let _e397 = vec3<f32>(dot(_e381, _e258), dot(_e387, _e258), _e396);
-                let _e409 = vec3<f32>(_e393.x, _e393.y, _e393.z);
+                let _e125 = (2u * _e81);
+                let _e128 = global_7.member[_e125];
+                let _e132 = global_7.member[(_e125 + 1u)];
+                let _e137 = global_7.member[((2u * _e77) + _e81)];
+                let _e139 = global.member_15;
+                let _e143 = bitcast<u32>(firstLeadingBit((max(_e139, 4096u) - 1u)));
+                let _e144 = (_e143 + 1u);
+                let _e145 = (15u - _e143);
+                let _e159 = (vec2<u32>((32u << bitcast<u32>((2u * _e145))), (32u << bitcast<u32>(_e145))) - vec2<u32>(1u, 1u));
+                let _e175 = (vec2<f32>(vec2<u32>(((((_e137.x >> bitcast<u32>(16u)) >> bitcast<u32>(((2u * _e144) - 16u))) << bitcast<u32>(5u)) | ((_e137.y >> bitcast<u32>(_e144)) & 31u)), ((_e137.y >> bitcast<u32>((_e143 + 6u))) & _e159.y))) / vec2<f32>(_e159));
+                let _e179 = ((1f + (2f * _e175.x)) * 0.33333334f);
+                let _e180 = (1f - _e179);
+                let _e184 = (_e180 * (0.5f + (0.5f * _e175.y)));
+                let _e193 = (vec3<u32>(_e137.x, (_e137.x >> bitcast<u32>(_e144)), _e137.y) & vec3(((1u << bitcast<u32>(_e144)) - 1u)));
+                let _e205 = global.member_11;
+                let _e208 = global.member_12;
+                let _e214 = global.member_21;
+                let _e215 = (2u * _e214);
+                let _e219 = global_1.member[(_e215 + _e193.x)];
+                let _e221 = unpack2x16float(_e219.x);
+                let _e234 = global_1.member[(_e215 + _e193.y)];
+                let _e236 = unpack2x16float(_e234.x);
+                let _e249 = global_1.member[(_e215 + _e193.z)];
+                let _e251 = unpack2x16float(_e249.x);
+                let _e259 = ((((_e205.xyz + (_e208.xyz * vec3<f32>(f32((_e128.x & 65535u)), f32((_e128.x >> bitcast<u32>(16u))), f32((_e128.y & 65535u))))) + (vec3<f32>(_e221.x, _e221.y, unpack2x16float(_e219.y).x) * _e179)) + (vec3<f32>(_e236.x, _e236.y, unpack2x16float(_e234.y).x) * _e184)) + (vec3<f32>(_e251.x, _e251.y, unpack2x16float(_e249.y).x) * (_e180 - _e184)));
+                let _e263 = vec4<f32>(_e259.x, _e259.y, _e259.z, 1f);
+                let _e276 = (((_e128.y >> bitcast<u32>(16u)) | ((_e132.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e137.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e288 = global.member_32;
+                let _e290 = global.member_33;
+                let _e293 = (vec3(_e288) + (vec3<f32>(f32((_e276 & 1023u)), f32(((_e276 >> bitcast<u32>(10u)) & 1023u)), f32((_e276 >> bitcast<u32>(20u)))) * _e290));
+                let _e302 = (vec4<u32>(_e132.x, (_e132.x >> bitcast<u32>(8u)), (_e132.x >> bitcast<u32>(16u)), (_e132.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e308 = (vec3<u32>(_e132.y, (_e132.y >> bitcast<u32>(8u)), (_e132.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e309 = vec3<f32>(_e308);
+                let _e321 = (vec4<f32>(_e309.x, _e309.y, _e309.z, f32((((255u - _e308.x) - _e308.y) - _e308.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e324 = (3u * _e302.x);
+                let _e327 = global.member_58[_e324];
+                let _e332 = global.member_58[(_e324 + 1u)];
+                let _e337 = global.member_58[(_e324 + 2u)];
+                let _e341 = (3u * _e302.y);
+                let _e344 = global.member_58[_e341];
+                let _e350 = global.member_58[(_e341 + 1u)];
+                let _e356 = global.member_58[(_e341 + 2u)];
+                let _e361 = (3u * _e302.z);
+                let _e364 = global.member_58[_e361];
+                let _e370 = global.member_58[(_e361 + 1u)];
+                let _e376 = global.member_58[(_e361 + 2u)];
+                let _e381 = (3u * _e302.w);
+                let _e384 = global.member_58[_e381];
+                let _e386 = ((((_e327 * _e321.x) + (_e344 * _e321.y)) + (_e364 * _e321.z)) + (_e384 * _e321.w));
+                let _e390 = global.member_58[(_e381 + 1u)];
+                let _e392 = ((((_e332 * _e321.x) + (_e350 * _e321.y)) + (_e370 * _e321.z)) + (_e390 * _e321.w));
+                let _e396 = global.member_58[(_e381 + 2u)];
+                let _e398 = ((((_e337 * _e321.x) + (_e356 * _e321.y)) + (_e376 * _e321.z)) + (_e396 * _e321.w));
+                let _e401 = dot(_e398, _e263);
+                let _e402 = vec3<f32>(dot(_e386, _e263), dot(_e392, _e263), _e401);
+                let _e412 = vec3<f32>(_e386.x, _e386.y, _e386.z);
+                let _e413 = vec3<f32>(_e392.x, _e392.y, _e392.z);
+                let _e414 = vec3<f32>(_e398.x, _e398.y, _e398.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e412 = global.member_6;
-                        if !((_e396 >= _e412)) {
-                            let _e416 = global_3.member_9;
-                            if (_e416 != 0u) {
-                                let _e420 = atomicAdd((&global_2.member[0u]), 1u);
+                        let _e417 = global.member_6;
+                        if !((_e401 >= _e417)) {
+                            let _e421 = global_3.member_9;
+                            if (_e421 != 0u) {
+                                let _e425 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_4650_ = 0f;
-                            phi_4644_ = vec2<f32>(0f, 0f);
-                            phi_4643_ = false;
+                            phi_5026_ = 0f;
+                            phi_5022_ = vec2<f32>(0f, 0f);
+                            phi_5021_ = false;
                             break;
                         }
-                        let _e422 = global.member;
-                        let _e428 = global.member_1;
-                        let _e429 = (((_e422 * _e397.xy) / vec2(_e396)) + _e428);
-                        let _e431 = global.member_5;
-                        let _e435 = all((_e429 >= vec2(-(_e431))));
-                        phi_3305_ = _e435;
-                        if _e435 {
-                            let _e437 = global.member_4;
-                            phi_3305_ = all((_e429 <= (_e437 + vec2(_e431))));
-                        }
-                        let _e443 = phi_3305_;
-                        if !(_e443) {
-                            let _e446 = global_3.member_9;
-                            if (_e446 != 0u) {
-                                let _e450 = atomicAdd((&global_2.member[0u]), 1u);
-                            }
-                            phi_4650_ = 0f;
-                            phi_4644_ = _e429;
-                            phi_4643_ = false;
-                            break;
-                        }
-                        let _e452 = global.member_7;
-                        let _e455 = global.member_8;
-                        let _e456 = ((_e452 - _e396) * _e455);
-                        if (_e456 < 0f) {
-                            phi_4642_ = (0.015625f / (1f - _e456));
+                        let _e427 = global.member;
+                        let _e433 = global.member_1;
+                        let _e436 = global.member_7;
+                        let _e439 = global.member_8;
+                        let _e440 = ((_e436 - _e401) * _e439);
+                        if (_e440 < 0f) {
+                            phi_5020_ = (0.015625f / (1f - _e440));
                         } else {
-                            if (_e456 > 1f) {
-                                phi_4641_ = (1f - (0.015625f / _e456));
+                            if (_e440 > 1f) {
+                                phi_5019_ = (1f - (0.015625f / _e440));
                             } else {
-                                phi_4641_ = (0.015625f + (0.96875f * clamp(_e456, 0f, 1f)));
+                                phi_5019_ = (0.015625f + (0.96875f * clamp(_e440, 0f, 1f)));
                             }
-                            let _e465 = phi_4641_;
-                            phi_4642_ = _e465;
+                            let _e449 = phi_5019_;
+                            phi_5020_ = _e449;
                         }
-                        let _e469 = phi_4642_;
-                        phi_4650_ = _e469;
-                        phi_4644_ = _e429;
-                        phi_4643_ = true;
+                        let _e453 = phi_5020_;
+                        phi_5026_ = _e453;
+                        phi_5022_ = (((_e427 * _e402.xy) / vec2(_e401)) + _e433);
+                        phi_5021_ = true;
                         break;
                     }
                 }
-                let _e471 = phi_4650_;
-                let _e473 = phi_4644_;
-                let _e475 = phi_4643_;
-                if (true && !(_e475)) {
-                    phi_4711_ = 4294967295u;
-                    break;
-                }
-                let _e482 = global_7.member[((3u * _e72) + _e76)];
-                let _e486 = f32((_e482.y >> bitcast<u32>(24u)));
-                let _e488 = global.member_29;
-                if (_e486 <= _e488) {
-                    let _e491 = global_3.member_9;
-                    if (_e491 != 0u) {
-                        let _e495 = atomicAdd((&global_2.member[1u]), 1u);
+                let _e455 = phi_5026_;
+                let _e457 = phi_5022_;
+                let _e459 = phi_5021_;
+                let _e463 = global_7.member[_e85][1u];
+                let _e464 = (_e81 & 31u);
+                phi_5033_ = _e459;
+                if (_e459 && !((((_e463 >> bitcast<u32>(_e464)) & 1u) != 0u))) {
+                    switch bitcast<i32>(0u) {
+                        default: {
+                            let _e480 = global.member_50;
+                            let _e485 = max((_e480.xy - _e457), (_e457 - _e480.zw));
+                            if !((max(_e485.x, _e485.y) > 0f)) {
+                                phi_5032_ = false;
+                                break;
+                            }
+                            let _e499 = global.member_2;
+                            let _e502 = global.member_3;
+                            let _e506 = global.member;
+                            let _e514 = global.member_47;
+                            let _e519 = global.member_29;
+                            let _e526 = global.member_45;
+                            let _e531 = global.member_49;
+                            let _e536 = any((_e485 > ((((((abs(_e506) / vec2(_e401)) * (vec2<f32>(1f, 1f) + max(abs(_e499), abs(_e502)))) * (sqrt(max(max(dot(_e412, _e412), dot(_e413, _e413)), dot(_e414, _e414))) * exp(min(max(max(_e293.x, _e293.y), _e293.z), 9f)))) + vec2(sqrt(_e514))) * (sqrt((2f * log(max((255f / _e519), 1f)))) * sqrt(_e526))) * (1.01f * max(_e531, 0f)))));
+                            if _e536 {
+                                let _e538 = global_3.member_9;
+                                if (_e538 != 0u) {
+                                    let _e542 = atomicAdd((&global_2.member[0u]), 1u);
+                                }
+                            }
+                            phi_5032_ = _e536;
+                            break;
+                        }
                     }
-                    phi_4711_ = 4294967295u;
+                    let _e544 = phi_5032_;
+                    phi_5033_ = !(_e544);
+                }
+                let _e547 = phi_5033_;
+                if (true && !(_e547)) {
+                    phi_5091_ = 4294967295u;
                     break;
                 }
-                let _e509 = ((vec3<f32>(f32((_e482.x & 1023u)), f32(((_e482.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e482.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e513 = sqrt(max((1f - dot(_e509, _e509)), 0f));
-                let _e515 = (_e482.x >> bitcast<u32>(30u));
-                if (_e515 == 0u) {
-                    phi_4656_ = vec4<f32>(_e513, _e509.x, _e509.y, _e509.z);
+                let _e554 = global_7.member[((3u * _e77) + _e81)];
+                let _e558 = f32((_e554.y >> bitcast<u32>(24u)));
+                let _e560 = global.member_29;
+                if (_e558 <= _e560) {
+                    let _e563 = global_3.member_9;
+                    if (_e563 != 0u) {
+                        let _e567 = atomicAdd((&global_2.member[1u]), 1u);
+                    }
+                    phi_5091_ = 4294967295u;
+                    break;
+                }
+                let _e581 = ((vec3<f32>(f32((_e554.x & 1023u)), f32(((_e554.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e554.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e585 = sqrt(max((1f - dot(_e581, _e581)), 0f));
+                let _e587 = (_e554.x >> bitcast<u32>(30u));
+                if (_e587 == 0u) {
+                    phi_5036_ = vec4<f32>(_e585, _e581.x, _e581.y, _e581.z);
                 } else {
-                    if (_e515 == 1u) {
-                        phi_4655_ = vec4<f32>(_e509.x, _e513, _e509.y, _e509.z);
+                    if (_e587 == 1u) {
+                        phi_5035_ = vec4<f32>(_e581.x, _e585, _e581.y, _e581.z);
                     } else {
-                        if (_e515 == 2u) {
-                            phi_4654_ = vec4<f32>(_e509.x, _e509.y, _e513, _e509.z);
+                        if (_e587 == 2u) {
+                            phi_5034_ = vec4<f32>(_e581.x, _e581.y, _e585, _e581.z);
                         } else {
-                            phi_4654_ = vec4<f32>(_e509.x, _e509.y, _e509.z, _e513);
+                            phi_5034_ = vec4<f32>(_e581.x, _e581.y, _e581.z, _e585);
                         }
-                        let _e528 = phi_4654_;
-                        phi_4655_ = _e528;
+                        let _e600 = phi_5034_;
+                        phi_5035_ = _e600;
                     }
-                    let _e534 = phi_4655_;
-                    phi_4656_ = _e534;
+                    let _e606 = phi_5035_;
+                    phi_5036_ = _e606;
                 }
-                let _e540 = phi_4656_;
-                let _e544 = global.member_34;
-                let _e545 = (_e544 > 0u);
-                phi_4668_ = unpack4x8unorm(_e482.y).xyz;
-                if _e545 {
-                    let _e549 = global_7.member[(_e544 + _e76)];
-                    let _e551 = unpack2x16float(_e549.x);
-                    phi_4668_ = vec3<f32>(_e551.x, _e551.y, unpack2x16float(_e549.y).x);
+                let _e612 = phi_5036_;
+                let _e616 = global.member_34;
+                let _e617 = (_e616 > 0u);
+                phi_5046_ = unpack4x8unorm(_e554.y).xyz;
+                if _e617 {
+                    let _e621 = global_7.member[(_e616 + _e81)];
+                    let _e623 = unpack2x16float(_e621.x);
+                    phi_5046_ = vec3<f32>(_e623.x, _e623.y, unpack2x16float(_e621.y).x);
                 }
-                let _e559 = phi_4668_;
-                let _e562 = (1u << bitcast<u32>((_e76 & 31u)));
-                let _e565 = global_7.member[_e80];
-                let _e569 = global_7.member[(_e80 + 1u)];
-                let _e573 = global_7.member[(_e80 + 2u)];
-                phi_4685_ = _e540;
-                if ((_e565.x & _e562) != 0u) {
-                    let _e584 = global.member_22;
-                    let _e586 = global.member_18;
-                    let _e590 = (_e584 + ((_e569.y + bitcast<u32>(countOneBits((_e565.x & (_e562 - 1u))))) * (1u + (4u * _e586))));
-                    let _e591 = (_e590 + 1u);
-                    let _e594 = global_6.member[_e590];
-                    let _e596 = global.member_40;
-                    let _e600 = global.member_19;
-                    phi_4670_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_4669_ = 0u;
+                let _e631 = phi_5046_;
+                let _e633 = (1u << bitcast<u32>(_e464));
+                let _e636 = global_7.member[_e85];
+                let _e640 = global_7.member[(_e85 + 1u)];
+                let _e644 = global_7.member[(_e85 + 2u)];
+                phi_5063_ = _e612;
+                if ((_e636.x & _e633) != 0u) {
+                    let _e655 = global.member_22;
+                    let _e657 = global.member_18;
+                    let _e661 = (_e655 + ((_e640.y + bitcast<u32>(countOneBits((_e636.x & (_e633 - 1u))))) * (1u + (4u * _e657))));
+                    let _e662 = (_e661 + 1u);
+                    let _e665 = global_6.member[_e661];
+                    let _e667 = global.member_40;
+                    let _e671 = global.member_19;
+                    phi_5048_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5047_ = 0u;
                     loop {
-                        let _e604 = phi_4670_;
-                        let _e606 = phi_4669_;
-                        let _e608 = (2u * ((_e596 + ((_e594 >> bitcast<u32>(16u)) * _e600)) + _e606));
-                        let _e611 = global_1.member[_e608];
-                        let _e615 = global_1.member[(_e608 + 1u)];
-                        let _e621 = bitcast<vec4<f32>>(vec4<u32>(_e611.x, _e611.y, _e615.x, _e615.y));
-                        let _e625 = global_6.member[(_e591 + _e606)];
-                        let _e632 = global_6.member[((_e591 + _e586) + _e606)];
-                        let _e640 = global_6.member[((_e591 + (2u * _e586)) + _e606)];
-                        let _e648 = global_6.member[((_e591 + (3u * _e586)) + _e606)];
-                        let _e652 = (_e604 + vec4<f32>(dot(unpack4x8snorm(_e625), _e621), dot(unpack4x8snorm(_e632), _e621), dot(unpack4x8snorm(_e640), _e621), dot(unpack4x8snorm(_e648), _e621)));
-                        let _e654 = (_e606 + bitcast<u32>(1i));
-                        phi_4670_ = _e652;
-                        phi_4669_ = _e654;
-                        local_1 = _e652;
-                        if (_e654 < _e586) {
+                        let _e675 = phi_5048_;
+                        let _e677 = phi_5047_;
+                        let _e679 = (2u * ((_e667 + ((_e665 >> bitcast<u32>(16u)) * _e671)) + _e677));
+                        let _e682 = global_1.member[_e679];
+                        let _e686 = global_1.member[(_e679 + 1u)];
+                        let _e692 = bitcast<vec4<f32>>(vec4<u32>(_e682.x, _e682.y, _e686.x, _e686.y));
+                        let _e696 = global_6.member[(_e662 + _e677)];
+                        let _e703 = global_6.member[((_e662 + _e657) + _e677)];
+                        let _e711 = global_6.member[((_e662 + (2u * _e657)) + _e677)];
+                        let _e719 = global_6.member[((_e662 + (3u * _e657)) + _e677)];
+                        let _e723 = (_e675 + vec4<f32>(dot(unpack4x8snorm(_e696), _e692), dot(unpack4x8snorm(_e703), _e692), dot(unpack4x8snorm(_e711), _e692), dot(unpack4x8snorm(_e719), _e692)));
+                        let _e725 = (_e677 + bitcast<u32>(1i));
+                        phi_5048_ = _e723;
+                        phi_5047_ = _e725;
+                        local_1 = _e723;
+                        if (_e725 < _e657) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e660 = local_1;
-                    let _e662 = (_e540 + (_e660 * (127f * unpack2x16float(_e594).x)));
-                    phi_4685_ = select(_e540, _e662, vec4((length(_e662) >= 0.001f)));
+                    let _e731 = local_1;
+                    let _e733 = (_e612 + (_e731 * (127f * unpack2x16float(_e665).x)));
+                    phi_5063_ = select(_e612, _e733, vec4((length(_e733) >= 0.001f)));
                 }
-                let _e668 = phi_4685_;
-                phi_4689_ = _e288;
-                if ((_e565.y & _e562) != 0u) {
-                    let _e679 = global.member_23;
-                    let _e681 = global.member_18;
-                    let _e685 = (_e679 + ((_e573.x + bitcast<u32>(countOneBits((_e565.y & (_e562 - 1u))))) * (1u + (3u * _e681))));
-                    let _e686 = (_e685 + 1u);
-                    let _e689 = global_6.member[_e685];
-                    let _e691 = global.member_40;
-                    let _e695 = global.member_19;
-                    phi_4673_ = vec3<f32>(0f, 0f, 0f);
-                    phi_4672_ = 0u;
+                let _e739 = phi_5063_;
+                phi_5067_ = _e293;
+                if ((_e636.y & _e633) != 0u) {
+                    let _e750 = global.member_23;
+                    let _e752 = global.member_18;
+                    let _e756 = (_e750 + ((_e644.x + bitcast<u32>(countOneBits((_e636.y & (_e633 - 1u))))) * (1u + (3u * _e752))));
+                    let _e757 = (_e756 + 1u);
+                    let _e760 = global_6.member[_e756];
+                    let _e762 = global.member_40;
+                    let _e766 = global.member_19;
+                    phi_5051_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5050_ = 0u;
                     loop {
-                        let _e699 = phi_4673_;
-                        let _e701 = phi_4672_;
-                        let _e703 = (2u * ((_e691 + ((_e689 >> bitcast<u32>(16u)) * _e695)) + _e701));
-                        let _e706 = global_1.member[_e703];
-                        let _e710 = global_1.member[(_e703 + 1u)];
-                        let _e716 = bitcast<vec4<f32>>(vec4<u32>(_e706.x, _e706.y, _e710.x, _e710.y));
-                        let _e720 = global_6.member[(_e686 + _e701)];
-                        let _e727 = global_6.member[((_e686 + _e681) + _e701)];
-                        let _e735 = global_6.member[((_e686 + (2u * _e681)) + _e701)];
-                        let _e739 = (_e699 + vec3<f32>(dot(unpack4x8snorm(_e720), _e716), dot(unpack4x8snorm(_e727), _e716), dot(unpack4x8snorm(_e735), _e716)));
-                        let _e741 = (_e701 + bitcast<u32>(1i));
-                        phi_4673_ = _e739;
-                        phi_4672_ = _e741;
-                        local_2 = _e739;
-                        if (_e741 < _e681) {
+                        let _e770 = phi_5051_;
+                        let _e772 = phi_5050_;
+                        let _e774 = (2u * ((_e762 + ((_e760 >> bitcast<u32>(16u)) * _e766)) + _e772));
+                        let _e777 = global_1.member[_e774];
+                        let _e781 = global_1.member[(_e774 + 1u)];
+                        let _e787 = bitcast<vec4<f32>>(vec4<u32>(_e777.x, _e777.y, _e781.x, _e781.y));
+                        let _e791 = global_6.member[(_e757 + _e772)];
+                        let _e798 = global_6.member[((_e757 + _e752) + _e772)];
+                        let _e806 = global_6.member[((_e757 + (2u * _e752)) + _e772)];
+                        let _e810 = (_e770 + vec3<f32>(dot(unpack4x8snorm(_e791), _e787), dot(unpack4x8snorm(_e798), _e787), dot(unpack4x8snorm(_e806), _e787)));
+                        let _e812 = (_e772 + bitcast<u32>(1i));
+                        phi_5051_ = _e810;
+                        phi_5050_ = _e812;
+                        local_2 = _e810;
+                        if (_e812 < _e752) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e747 = local_2;
-                    phi_4689_ = (_e288 + (_e747 * (127f * unpack2x16float(_e689).x)));
+                    let _e818 = local_2;
+                    phi_5067_ = (_e293 + (_e818 * (127f * unpack2x16float(_e760).x)));
                 }
-                let _e751 = phi_4689_;
-                phi_4691_ = _e559;
-                if ((_e569.x & _e562) != 0u) {
-                    let _e762 = global.member_24;
-                    let _e764 = global.member_18;
-                    let _e768 = (_e762 + ((_e573.y + bitcast<u32>(countOneBits((_e569.x & (_e562 - 1u))))) * (3u + (3u * _e764))));
-                    let _e772 = global_6.member[(_e768 + 1u)];
-                    let _e773 = unpack2x16float(_e772);
-                    let _e777 = global_6.member[(_e768 + 2u)];
-                    let _e785 = (_e768 + 3u);
-                    let _e788 = global_6.member[_e768];
-                    let _e790 = global.member_40;
-                    let _e794 = global.member_19;
-                    phi_4682_ = vec3<f32>(0f, 0f, 0f);
-                    phi_4681_ = 0u;
+                let _e822 = phi_5067_;
+                phi_5069_ = _e631;
+                if ((_e640.x & _e633) != 0u) {
+                    let _e833 = global.member_24;
+                    let _e835 = global.member_18;
+                    let _e839 = (_e833 + ((_e644.y + bitcast<u32>(countOneBits((_e640.x & (_e633 - 1u))))) * (3u + (3u * _e835))));
+                    let _e843 = global_6.member[(_e839 + 1u)];
+                    let _e844 = unpack2x16float(_e843);
+                    let _e848 = global_6.member[(_e839 + 2u)];
+                    let _e856 = (_e839 + 3u);
+                    let _e859 = global_6.member[_e839];
+                    let _e861 = global.member_40;
+                    let _e865 = global.member_19;
+                    phi_5060_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5059_ = 0u;
                     loop {
-                        let _e798 = phi_4682_;
-                        let _e800 = phi_4681_;
-                        let _e802 = (2u * ((_e790 + ((_e788 >> bitcast<u32>(16u)) * _e794)) + _e800));
-                        let _e805 = global_1.member[_e802];
-                        let _e809 = global_1.member[(_e802 + 1u)];
-                        let _e815 = bitcast<vec4<f32>>(vec4<u32>(_e805.x, _e805.y, _e809.x, _e809.y));
-                        let _e819 = global_6.member[(_e785 + _e800)];
-                        let _e826 = global_6.member[((_e785 + _e764) + _e800)];
-                        let _e834 = global_6.member[((_e785 + (2u * _e764)) + _e800)];
-                        let _e838 = (_e798 + vec3<f32>(dot(unpack4x8snorm(_e819), _e815), dot(unpack4x8snorm(_e826), _e815), dot(unpack4x8snorm(_e834), _e815)));
-                        let _e840 = (_e800 + bitcast<u32>(1i));
-                        phi_4682_ = _e838;
-                        phi_4681_ = _e840;
-                        local_3 = _e838;
-                        if (_e840 < _e764) {
+                        let _e869 = phi_5060_;
+                        let _e871 = phi_5059_;
+                        let _e873 = (2u * ((_e861 + ((_e859 >> bitcast<u32>(16u)) * _e865)) + _e871));
+                        let _e876 = global_1.member[_e873];
+                        let _e880 = global_1.member[(_e873 + 1u)];
+                        let _e886 = bitcast<vec4<f32>>(vec4<u32>(_e876.x, _e876.y, _e880.x, _e880.y));
+                        let _e890 = global_6.member[(_e856 + _e871)];
+                        let _e897 = global_6.member[((_e856 + _e835) + _e871)];
+                        let _e905 = global_6.member[((_e856 + (2u * _e835)) + _e871)];
+                        let _e909 = (_e869 + vec3<f32>(dot(unpack4x8snorm(_e890), _e886), dot(unpack4x8snorm(_e897), _e886), dot(unpack4x8snorm(_e905), _e886)));
+                        let _e911 = (_e871 + bitcast<u32>(1i));
+                        phi_5060_ = _e909;
+                        phi_5059_ = _e911;
+                        local_3 = _e909;
+                        if (_e911 < _e835) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e846 = local_3;
-                    phi_4691_ = (select(vec3<f32>(_e773.x, _e773.y, unpack2x16float(_e777).x), _e559, vec3(_e545)) + (_e846 * (127f * unpack2x16float(_e788).x)));
+                    let _e917 = local_3;
+                    phi_5069_ = (select(vec3<f32>(_e844.x, _e844.y, unpack2x16float(_e848).x), _e631, vec3(_e617)) + (_e917 * (127f * unpack2x16float(_e859).x)));
                 }
-                let _e850 = phi_4691_;
-                let _e851 = normalize(_e668);
-                let _e856 = (_e851.z * _e851.z);
-                let _e857 = (_e851.w * _e851.w);
-                let _e861 = (_e851.y * _e851.z);
-                let _e862 = (_e851.x * _e851.w);
-                let _e865 = (_e851.y * _e851.w);
-                let _e866 = (_e851.x * _e851.z);
-                let _e871 = (_e851.y * _e851.y);
-                let _e875 = (_e851.z * _e851.w);
-                let _e876 = (_e851.x * _e851.y);
-                let _e890 = exp(min(_e751, vec3<f32>(9f, 9f, 9f)));
-                let _e897 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e856 + _e857))), (2f * (_e861 + _e862)), (2f * (_e865 - _e866))) * _e890.x), (vec3<f32>((2f * (_e861 - _e862)), (1f - (2f * (_e871 + _e857))), (2f * (_e875 + _e876))) * _e890.y), (vec3<f32>((2f * (_e865 + _e866)), (2f * (_e875 - _e876)), (1f - (2f * (_e871 + _e856)))) * _e890.z));
+                let _e921 = phi_5069_;
+                let _e922 = normalize(_e739);
+                let _e927 = (_e922.z * _e922.z);
+                let _e928 = (_e922.w * _e922.w);
+                let _e932 = (_e922.y * _e922.z);
+                let _e933 = (_e922.x * _e922.w);
+                let _e936 = (_e922.y * _e922.w);
+                let _e937 = (_e922.x * _e922.z);
+                let _e942 = (_e922.y * _e922.y);
+                let _e946 = (_e922.z * _e922.w);
+                let _e947 = (_e922.x * _e922.y);
+                let _e961 = exp(min(_e822, vec3<f32>(9f, 9f, 9f)));
+                let _e968 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e927 + _e928))), (2f * (_e932 + _e933)), (2f * (_e936 - _e937))) * _e961.x), (vec3<f32>((2f * (_e932 - _e933)), (1f - (2f * (_e942 + _e928))), (2f * (_e946 + _e947))) * _e961.y), (vec3<f32>((2f * (_e936 + _e937)), (2f * (_e946 - _e947)), (1f - (2f * (_e942 + _e927)))) * _e961.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e903 = global.member_2;
-                        let _e905 = global.member_3;
-                        let _e906 = clamp((_e397.xy / vec2(_e396)), _e903, _e905);
-                        let _e909 = global.member[0u];
-                        let _e915 = (((vec3<f32>(_e381.x, _e381.y, _e381.z) - (_e409 * _e906.x)) * (_e909 / _e396)) * _e897);
-                        let _e918 = global.member[1u];
-                        let _e924 = (((vec3<f32>(_e387.x, _e387.y, _e387.z) - (_e409 * _e906.y)) * (_e918 / _e396)) * _e897);
-                        let _e926 = global.member_47;
-                        let _e928 = (dot(_e915, _e915) + _e926);
-                        let _e931 = (dot(_e924, _e924) + _e926);
-                        let _e933 = cross(_e915, _e924);
-                        let _e934 = dot(_e933, _e933);
-                        let _e938 = (_e934 + (_e926 * ((_e928 + _e931) - _e926)));
-                        let _e939 = (_e938 > 0f);
-                        phi_4123_ = _e939;
-                        if _e939 {
-                            phi_4123_ = (_e928 <= 1000000000000000000f);
+                        let _e974 = global.member_2;
+                        let _e976 = global.member_3;
+                        let _e977 = clamp((_e402.xy / vec2(_e401)), _e974, _e976);
+                        let _e980 = global.member[0u];
+                        let _e986 = (((_e412 - (_e414 * _e977.x)) * (_e980 / _e401)) * _e968);
+                        let _e989 = global.member[1u];
+                        let _e995 = (((_e413 - (_e414 * _e977.y)) * (_e989 / _e401)) * _e968);
+                        let _e997 = global.member_47;
+                        let _e999 = (dot(_e986, _e986) + _e997);
+                        let _e1002 = (dot(_e995, _e995) + _e997);
+                        let _e1004 = cross(_e986, _e995);
+                        let _e1005 = dot(_e1004, _e1004);
+                        let _e1009 = (_e1005 + (_e997 * ((_e999 + _e1002) - _e997)));
+                        let _e1010 = (_e1009 > 0f);
+                        phi_4438_ = _e1010;
+                        if _e1010 {
+                            phi_4438_ = (_e999 <= 1000000000000000000f);
                         }
-                        let _e942 = phi_4123_;
-                        phi_4129_ = _e942;
-                        if _e942 {
-                            phi_4129_ = (_e931 <= 1000000000000000000f);
+                        let _e1013 = phi_4438_;
+                        phi_4444_ = _e1013;
+                        if _e1013 {
+                            phi_4444_ = (_e1002 <= 1000000000000000000f);
                         }
-                        let _e945 = phi_4129_;
-                        if !(_e945) {
-                            let _e948 = global_3.member_9;
-                            if (_e948 != 0u) {
-                                let _e952 = atomicAdd((&global_2.member[2u]), 1u);
+                        let _e1016 = phi_4444_;
+                        if !(_e1016) {
+                            let _e1019 = global_3.member_9;
+                            if (_e1019 != 0u) {
+                                let _e1023 = atomicAdd((&global_2.member[2u]), 1u);
                             }
-                            phi_4710_ = 4294967295u;
+                            phi_5090_ = 4294967295u;
                             break;
                         }
-                        phi_4696_ = (1f - (_e486 * 0.003921569f));
-                        phi_4695_ = 0u;
+                        phi_5074_ = (1f - (_e558 * 0.003921569f));
+                        phi_5073_ = 0u;
                         loop {
-                            let _e956 = phi_4696_;
-                            let _e958 = phi_4695_;
-                            local_4 = _e956;
-                            if (_e958 < _e74) {
+                            let _e1027 = phi_5074_;
+                            let _e1029 = phi_5073_;
+                            local_4 = _e1027;
+                            if (_e1029 < 3u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_4696_ = (_e956 * _e956);
-                                phi_4695_ = (_e958 + bitcast<u32>(1i));
+                                phi_5074_ = select(_e1027, (_e1027 * _e1027), (_e1029 < _e79));
+                                phi_5073_ = (_e1029 + bitcast<u32>(1i));
                             }
                         }
-                        let _e964 = local_4;
-                        let _e968 = u32(round((255f * (1f - _e964))));
-                        let _e970 = global.member_48;
-                        phi_4704_ = _e968;
-                        if (_e970 > 0f) {
-                            let _e980 = u32(round((f32(_e968) * ((1f - _e970) + (_e970 * sqrt((_e934 / _e938)))))));
-                            if (f32(_e980) <= _e488) {
-                                let _e984 = global_3.member_9;
-                                if (_e984 != 0u) {
-                                    let _e988 = atomicAdd((&global_2.member[1u]), 1u);
+                        let _e1037 = local_4;
+                        let _e1041 = u32(round((255f * (1f - _e1037))));
+                        let _e1043 = global.member_48;
+                        phi_5082_ = _e1041;
+                        if (_e1043 > 0f) {
+                            let _e1053 = u32(round((f32(_e1041) * ((1f - _e1043) + (_e1043 * sqrt((_e1005 / _e1009)))))));
+                            if (f32(_e1053) <= _e560) {
+                                let _e1057 = global_3.member_9;
+                                if (_e1057 != 0u) {
+                                    let _e1061 = atomicAdd((&global_2.member[1u]), 1u);
                                 }
-                                phi_4710_ = 4294967295u;
+                                phi_5090_ = 4294967295u;
                                 break;
                             }
-                            phi_4704_ = _e980;
+                            phi_5082_ = _e1053;
                         }
-                        let _e990 = phi_4704_;
-                        let _e992 = global.member_45;
-                        let _e993 = (vec3<f32>(_e928, dot(_e915, _e924), _e931) * _e992);
-                        let _e1006 = global.member_49;
-                        let _e1007 = ((sqrt(_e993.xz) * sqrt((2f * log(max((f32(_e990) / _e488), 1f))))) * _e1006);
-                        let _e1010 = global.member_50;
-                        let _e1013 = all(((_e473 + _e1007) > _e1010.xy));
-                        phi_4207_ = _e1013;
-                        if _e1013 {
-                            phi_4207_ = all(((_e473 - _e1007) < _e1010.zw));
+                        let _e1063 = phi_5082_;
+                        let _e1065 = global.member_45;
+                        let _e1066 = (vec3<f32>(_e999, dot(_e986, _e995), _e1002) * _e1065);
+                        let _e1079 = global.member_49;
+                        let _e1080 = ((sqrt(_e1066.xz) * sqrt((2f * log(max((f32(_e1063) / _e560), 1f))))) * _e1079);
+                        let _e1083 = global.member_50;
+                        let _e1086 = all(((_e457 + _e1080) > _e1083.xy));
+                        phi_4522_ = _e1086;
+                        if _e1086 {
+                            phi_4522_ = all(((_e457 - _e1080) < _e1083.zw));
                         }
-                        let _e1019 = phi_4207_;
-                        if !(_e1019) {
-                            let _e1022 = global_3.member_9;
-                            if (_e1022 != 0u) {
-                                let _e1026 = atomicAdd((&global_2.member[0u]), 1u);
+                        let _e1092 = phi_4522_;
+                        if !(_e1092) {
+                            let _e1095 = global_3.member_9;
+                            if (_e1095 != 0u) {
+                                let _e1099 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_4710_ = 4294967295u;
+                            phi_5090_ = 4294967295u;
                             break;
                         }
-                        let _e1031 = (0.5f * (_e993.x - _e993.z));
-                        let _e1036 = sqrt(((_e1031 * _e1031) + (_e993.y * _e993.y)));
-                        let _e1039 = ((0.5f * (_e993.x + _e993.z)) + _e1036);
-                        if (_e1031 >= 0f) {
-                            phi_4708_ = vec2<f32>((_e1031 + _e1036), _e993.y);
+                        let _e1104 = (0.5f * (_e1066.x - _e1066.z));
+                        let _e1109 = sqrt(((_e1104 * _e1104) + (_e1066.y * _e1066.y)));
+                        let _e1112 = ((0.5f * (_e1066.x + _e1066.z)) + _e1109);
+                        if (_e1104 >= 0f) {
+                            phi_5086_ = vec2<f32>((_e1104 + _e1109), _e1066.y);
                         } else {
-                            phi_4708_ = vec2<f32>(_e993.y, (_e1036 - _e1031));
+                            phi_5086_ = vec2<f32>(_e1066.y, (_e1109 - _e1104));
                         }
-                        let _e1046 = phi_4708_;
-                        if (_e1036 > (0.00000001f * _e1039)) {
-                            phi_4709_ = normalize(_e1046);
+                        let _e1119 = phi_5086_;
+                        if (_e1109 > (0.00000001f * _e1112)) {
+                            phi_5087_ = normalize(_e1119);
                         } else {
-                            phi_4709_ = vec2<f32>(1f, 0f);
+                            phi_5087_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1051 = phi_4709_;
-                        let _e1058 = global.member_5;
-                        let _e1062 = global.member_10;
-                        let _e1066 = vec2<u32>(clamp(round(((_e473 + vec2(_e1058)) * _e1062)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1069 = vec3<u32>(round((clamp(_e850, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1097 = global.member_41;
-                        let _e1099 = (4u * (_e1097 + _e66));
-                        global_4.member[_e1099] = ((_e1066.x | (_e1069.x << bitcast<u32>(20u))) | (_e1069.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1099 + 1u)] = (_e1066.y | (_e1069.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1099 + 2u)] = pack2x16float((_e1051 * min(sqrt(_e1039), 65504f)));
-                        global_4.member[(_e1099 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e938 * (_e992 * _e992)) / _e1039)), 65504f), 0f)) | (_e990 << bitcast<u32>(16u))) | ((_e1069.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1112 = global.member_9;
-                        phi_4710_ = min(u32((_e471 * f32(_e1112))), _e1112);
+                        let _e1124 = phi_5087_;
+                        let _e1132 = max(-(_e457), (_e457 * 0.5f));
+                        let _e1137 = global.member_5;
+                        let _e1138 = (max(_e1132.x, _e1132.y) / _e1137);
+                        let _e1146 = ((select(0u, 1u, (_e1138 > 1f)) + select(0u, 1u, (_e1138 > 64f))) + select(0u, 1u, (_e1138 > 4096f)));
+                        let _e1155 = global.member_10;
+                        let _e1159 = vec2<u32>(clamp(round((((_e457 * exp2(-(f32((_e1146 * 6u))))) + vec2(_e1137)) * _e1155)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1162 = vec3<u32>(round((clamp(_e921, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1193 = global.member_41;
+                        let _e1195 = (4u * (_e1193 + _e71));
+                        global_4.member[_e1195] = ((_e1159.x | (_e1162.x << bitcast<u32>(20u))) | (_e1162.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1195 + 1u)] = ((_e1159.y | (_e1162.y << bitcast<u32>(20u))) | (_e1146 << bitcast<u32>(30u)));
+                        global_4.member[(_e1195 + 2u)] = pack2x16float((_e1124 * min(sqrt(_e1112), 65504f)));
+                        global_4.member[(_e1195 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1009 * (_e1065 * _e1065)) / _e1112)), 65504f), 0f)) | (_e1063 << bitcast<u32>(16u))) | ((_e1162.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1208 = global.member_9;
+                        phi_5090_ = min(u32((_e455 * f32(_e1208))), _e1208);
                         break;
                     }
                 }
-                let _e1118 = phi_4710_;
-                phi_4711_ = _e1118;
+                let _e1214 = phi_5090_;
+                phi_5091_ = _e1214;
                 break;
             }
         }
-        let _e1120 = phi_4711_;
-        phi_4712_ = _e1120;
+        let _e1216 = phi_5091_;
+        phi_5092_ = _e1216;
     } else {
-        phi_4712_ = 4294967295u;
+        phi_5092_ = 4294967295u;
     }
-    let _e1122 = phi_4712_;
+    let _e1218 = phi_5092_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1125 = bitcast<u32>(param[0u]);
-            let _e1127 = global.member_41;
-            let _e1128 = (_e1127 + _e66);
-            if (_e1122 != 4294967295u) {
-                let _e1131 = global.member_37;
-                let _e1135 = global.member_36;
-                let _e1141 = atomicAdd((&global_2.member[((_e1135 + ((_e1128 / _e1131) * 256u)) + (_e1122 & 255u))]), 1u);
+            let _e1221 = bitcast<u32>(param[0u]);
+            let _e1223 = global.member_41;
+            let _e1224 = (_e1223 + _e71);
+            if (_e1218 != 4294967295u) {
+                let _e1227 = global.member_37;
+                let _e1231 = global.member_36;
+                let _e1237 = atomicAdd((&global_2.member[((_e1231 + ((_e1224 / _e1227) * 256u)) + (_e1218 & 255u))]), 1u);
             }
-            let _e1143 = global.member_35;
-            if (_e1143 == 0u) {
-                if (_e66 < (_e68 + (_e68 & 1u))) {
-                    let _e1149 = global.member_28;
-                    global_4.member[(_e1149 + _e1128)] = _e1122;
+            let _e1239 = global.member_35;
+            if (_e1239 == 0u) {
+                if (_e71 < (_e73 + (_e73 & 1u))) {
+                    let _e1245 = global.member_28;
+                    global_4.member[(_e1245 + _e1224)] = _e1218;
                 }
                 break;
             }
-            global_5[_e1125] = _e1122;
+            global_5[_e1221] = _e1218;
             workgroupBarrier();
-            let _e1155 = ((_e1125 & 1u) == 0u);
-            if select(_e1155, _e69, _e1155) {
-                let _e1158 = global.member_28;
-                let _e1165 = global_5[(_e1125 + 1u)];
-                global_4.member[(_e1158 + (_e1128 >> bitcast<u32>(1u)))] = ((_e1122 & 65535u) | (_e1165 << bitcast<u32>(16u)));
+            let _e1251 = ((_e1221 & 1u) == 0u);
+            if select(_e1251, _e74, _e1251) {
+                let _e1254 = global.member_28;
+                let _e1261 = global_5[(_e1221 + 1u)];
+                global_4.member[(_e1254 + (_e1224 >> bitcast<u32>(1u)))] = ((_e1218 & 65535u) | (_e1261 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -113,282 +113,303 @@ var<workgroup> global_4: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1375_: bool;
-    var phi_2084_: f32;
-    var phi_2085_: f32;
-    var phi_2093_: f32;
-    var phi_2087_: vec2<f32>;
-    var phi_2086_: bool;
-    var phi_1626_: bool;
-    var phi_1632_: bool;
-    var phi_2101_: f32;
-    var phi_2100_: u32;
+    var phi_2434_: f32;
+    var phi_2435_: f32;
+    var phi_2441_: f32;
+    var phi_2437_: vec2<f32>;
+    var phi_2436_: bool;
+    var phi_2443_: bool;
+    var phi_1385_: bool;
+    var phi_1915_: bool;
+    var phi_1921_: bool;
+    var phi_2448_: f32;
+    var phi_2447_: u32;
     var local: f32;
-    var phi_2109_: u32;
-    var phi_1710_: bool;
-    var phi_2113_: vec2<f32>;
-    var phi_2114_: vec2<f32>;
-    var phi_2115_: u32;
-    var phi_2116_: u32;
-    var phi_2117_: u32;
+    var phi_2456_: u32;
+    var phi_1999_: bool;
+    var phi_2460_: vec2<f32>;
+    var phi_2461_: vec2<f32>;
+    var phi_2464_: u32;
+    var phi_2465_: u32;
+    var phi_2466_: u32;
 
-    let _e59 = bitcast<u32>(param_1[0u]);
-    let _e61 = global.member_44;
-    let _e62 = (_e59 < _e61);
-    if _e62 {
+    let _e65 = bitcast<u32>(param_1[0u]);
+    let _e67 = global.member_44;
+    let _e68 = (_e65 < _e67);
+    if _e68 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e65 = global.member_38;
-                let _e67 = (_e65 + (3u * _e59));
-                let _e70 = global_3.member[_e67];
-                let _e74 = global_3.member[(_e67 + 1u)];
-                let _e78 = global_3.member[(_e67 + 2u)];
-                let _e96 = global.member_51;
-                let _e99 = global.member_52;
-                let _e102 = (vec3<f32>(((vec3<u32>((_e70 & 65535u), (_e70 >> bitcast<u32>(16u)), (_e74 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e78, (_e78 >> bitcast<u32>(8u)), (_e78 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
-                let _e116 = (_e96.xyz + (_e99.xyz * select(select(((_e102 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e102, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e102 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e102), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e102 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
-                let _e120 = vec4<f32>(_e116.x, _e116.y, _e116.z, 1f);
-                let _e123 = global.member_53[0i];
-                let _e127 = global.member_53[1i];
-                let _e131 = global.member_53[2i];
-                let _e132 = dot(_e131, _e120);
-                let _e133 = vec3<f32>(dot(_e123, _e120), dot(_e127, _e120), _e132);
+                let _e71 = global.member_38;
+                let _e73 = (_e71 + (3u * _e65));
+                let _e76 = global_3.member[_e73];
+                let _e80 = global_3.member[(_e73 + 1u)];
+                let _e84 = global_3.member[(_e73 + 2u)];
+                let _e102 = global.member_51;
+                let _e105 = global.member_52;
+                let _e108 = (vec3<f32>(((vec3<u32>((_e76 & 65535u), (_e76 >> bitcast<u32>(16u)), (_e80 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e84, (_e84 >> bitcast<u32>(8u)), (_e84 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
+                let _e122 = (_e102.xyz + (_e105.xyz * select(select(((_e108 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e108, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e108 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e108), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e108 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
+                let _e126 = vec4<f32>(_e122.x, _e122.y, _e122.z, 1f);
+                let _e129 = global.member_53[0i];
+                let _e133 = global.member_53[1i];
+                let _e137 = global.member_53[2i];
+                let _e138 = dot(_e137, _e126);
+                let _e139 = vec3<f32>(dot(_e129, _e126), dot(_e133, _e126), _e138);
+                let _e149 = vec3<f32>(_e129.x, _e129.y, _e129.z);
+                let _e150 = vec3<f32>(_e133.x, _e133.y, _e133.z);
+                let _e151 = vec3<f32>(_e137.x, _e137.y, _e137.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e136 = global.member_6;
-                        if !((_e132 >= _e136)) {
-                            let _e140 = global_2.member_9;
-                            if (_e140 != 0u) {
-                                let _e144 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e154 = global.member_6;
+                        if !((_e138 >= _e154)) {
+                            let _e158 = global_2.member_9;
+                            if (_e158 != 0u) {
+                                let _e162 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2093_ = 0f;
-                            phi_2087_ = vec2<f32>(0f, 0f);
-                            phi_2086_ = false;
+                            phi_2441_ = 0f;
+                            phi_2437_ = vec2<f32>(0f, 0f);
+                            phi_2436_ = false;
                             break;
                         }
-                        let _e146 = global.member;
-                        let _e152 = global.member_1;
-                        let _e153 = (((_e146 * _e133.xy) / vec2(_e132)) + _e152);
-                        let _e155 = global.member_5;
-                        let _e159 = all((_e153 >= vec2(-(_e155))));
-                        phi_1375_ = _e159;
-                        if _e159 {
-                            let _e161 = global.member_4;
-                            phi_1375_ = all((_e153 <= (_e161 + vec2(_e155))));
-                        }
-                        let _e167 = phi_1375_;
-                        if !(_e167) {
-                            let _e170 = global_2.member_9;
-                            if (_e170 != 0u) {
-                                let _e174 = atomicAdd((&global_1.member[0u]), 1u);
-                            }
-                            phi_2093_ = 0f;
-                            phi_2087_ = _e153;
-                            phi_2086_ = false;
-                            break;
-                        }
-                        let _e176 = global.member_7;
-                        let _e179 = global.member_8;
-                        let _e180 = ((_e176 - _e132) * _e179);
-                        if (_e180 < 0f) {
-                            phi_2085_ = (0.015625f / (1f - _e180));
+                        let _e164 = global.member;
+                        let _e170 = global.member_1;
+                        let _e173 = global.member_7;
+                        let _e176 = global.member_8;
+                        let _e177 = ((_e173 - _e138) * _e176);
+                        if (_e177 < 0f) {
+                            phi_2435_ = (0.015625f / (1f - _e177));
                         } else {
-                            if (_e180 > 1f) {
-                                phi_2084_ = (1f - (0.015625f / _e180));
+                            if (_e177 > 1f) {
+                                phi_2434_ = (1f - (0.015625f / _e177));
                             } else {
-                                phi_2084_ = (0.015625f + (0.96875f * clamp(_e180, 0f, 1f)));
+                                phi_2434_ = (0.015625f + (0.96875f * clamp(_e177, 0f, 1f)));
                             }
-                            let _e191 = phi_2084_;
-                            phi_2085_ = _e191;
+                            let _e188 = phi_2434_;
+                            phi_2435_ = _e188;
                         }
-                        let _e193 = phi_2085_;
-                        phi_2093_ = _e193;
-                        phi_2087_ = _e153;
-                        phi_2086_ = true;
+                        let _e190 = phi_2435_;
+                        phi_2441_ = _e190;
+                        phi_2437_ = (((_e164 * _e139.xy) / vec2(_e138)) + _e170);
+                        phi_2436_ = true;
                         break;
                     }
                 }
-                let _e195 = phi_2093_;
-                let _e197 = phi_2087_;
-                let _e199 = phi_2086_;
-                if !(_e199) {
-                    phi_2116_ = 4294967295u;
-                    break;
-                }
-                let _e201 = f32((_e74 >> bitcast<u32>(24u)));
-                let _e203 = global.member_29;
-                if (_e201 <= _e203) {
-                    let _e206 = global_2.member_9;
-                    if (_e206 != 0u) {
-                        let _e210 = atomicAdd((&global_1.member[1u]), 1u);
-                    }
-                    phi_2116_ = 4294967295u;
-                    break;
-                }
-                let _e213 = (_e65 + (3u * (_e61 + _e59)));
-                let _e216 = global_3.member[_e213];
-                let _e220 = global_3.member[(_e213 + 1u)];
-                let _e224 = global_3.member[(_e213 + 2u)];
-                let _e225 = vec3<u32>(_e216, _e220, _e224);
-                let _e237 = vec3<f32>(_e131.x, _e131.y, _e131.z);
-                let _e239 = global.member_39;
-                let _e248 = ((_e239 * exp2(((f32(((_e74 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))) * 0.0009775171f);
-                let _e252 = ((vec3<f32>((_e225 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e248);
-                let _e258 = ((vec3<f32>(((_e225 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e248);
-                let _e268 = mat3x3<f32>(vec3<f32>(_e252.x, _e258.x, _e258.y), vec3<f32>(0f, _e252.y, _e252.z), vec3<f32>(0f, 0f, _e258.z));
-                switch bitcast<i32>(0u) {
-                    default: {
-                        let _e278 = global.member_2;
-                        let _e280 = global.member_3;
-                        let _e281 = clamp((_e133.xy / vec2(_e132)), _e278, _e280);
-                        let _e284 = global.member[0u];
-                        let _e290 = (((vec3<f32>(_e123.x, _e123.y, _e123.z) - (_e237 * _e281.x)) * (_e284 / _e132)) * _e268);
-                        let _e293 = global.member[1u];
-                        let _e299 = (((vec3<f32>(_e127.x, _e127.y, _e127.z) - (_e237 * _e281.y)) * (_e293 / _e132)) * _e268);
-                        let _e301 = global.member_47;
-                        let _e303 = (dot(_e290, _e290) + _e301);
-                        let _e306 = (dot(_e299, _e299) + _e301);
-                        let _e308 = cross(_e290, _e299);
-                        let _e309 = dot(_e308, _e308);
-                        let _e313 = (_e309 + (_e301 * ((_e303 + _e306) - _e301)));
-                        let _e314 = (_e313 > 0f);
-                        phi_1626_ = _e314;
-                        if _e314 {
-                            phi_1626_ = (_e303 <= 1000000000000000000f);
-                        }
-                        let _e317 = phi_1626_;
-                        phi_1632_ = _e317;
-                        if _e317 {
-                            phi_1632_ = (_e306 <= 1000000000000000000f);
-                        }
-                        let _e320 = phi_1632_;
-                        if !(_e320) {
-                            let _e323 = global_2.member_9;
-                            if (_e323 != 0u) {
-                                let _e327 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e192 = phi_2441_;
+                let _e194 = phi_2437_;
+                let _e196 = phi_2436_;
+                let _e197 = !(_e196);
+                phi_1385_ = _e197;
+                if !(_e197) {
+                    let _e200 = global.member_39;
+                    switch bitcast<i32>(0u) {
+                        default: {
+                            let _e212 = global.member_50;
+                            let _e217 = max((_e212.xy - _e194), (_e194 - _e212.zw));
+                            if !((max(_e217.x, _e217.y) > 0f)) {
+                                phi_2443_ = false;
+                                break;
                             }
-                            phi_2115_ = 4294967295u;
+                            let _e231 = global.member_2;
+                            let _e234 = global.member_3;
+                            let _e238 = global.member;
+                            let _e246 = global.member_47;
+                            let _e251 = global.member_29;
+                            let _e258 = global.member_45;
+                            let _e263 = global.member_49;
+                            let _e268 = any((_e217 > ((((((abs(_e238) / vec2(_e138)) * (vec2<f32>(1f, 1f) + max(abs(_e231), abs(_e234)))) * (sqrt(max(max(dot(_e149, _e149), dot(_e150, _e150)), dot(_e151, _e151))) * (1.7320508f * (_e200 * exp2(((f32(((_e80 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)))))) + vec2(sqrt(_e246))) * (sqrt((2f * log(max((255f / _e251), 1f)))) * sqrt(_e258))) * (1.01f * max(_e263, 0f)))));
+                            if _e268 {
+                                let _e270 = global_2.member_9;
+                                if (_e270 != 0u) {
+                                    let _e274 = atomicAdd((&global_1.member[0u]), 1u);
+                                }
+                            }
+                            phi_2443_ = _e268;
                             break;
                         }
-                        phi_2101_ = (1f - (_e201 * 0.003921569f));
-                        phi_2100_ = 0u;
+                    }
+                    let _e276 = phi_2443_;
+                    phi_1385_ = _e276;
+                }
+                let _e278 = phi_1385_;
+                if _e278 {
+                    phi_2465_ = 4294967295u;
+                    break;
+                }
+                let _e279 = f32((_e80 >> bitcast<u32>(24u)));
+                let _e281 = global.member_29;
+                if (_e279 <= _e281) {
+                    let _e284 = global_2.member_9;
+                    if (_e284 != 0u) {
+                        let _e288 = atomicAdd((&global_1.member[1u]), 1u);
+                    }
+                    phi_2465_ = 4294967295u;
+                    break;
+                }
+                let _e291 = (_e71 + (3u * (_e67 + _e65)));
+                let _e294 = global_3.member[_e291];
+                let _e298 = global_3.member[(_e291 + 1u)];
+                let _e302 = global_3.member[(_e291 + 2u)];
+                let _e303 = vec3<u32>(_e294, _e298, _e302);
+                let _e305 = global.member_39;
+                let _e314 = ((_e305 * exp2(((f32(((_e80 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))) * 0.0009775171f);
+                let _e318 = ((vec3<f32>((_e303 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e314);
+                let _e324 = ((vec3<f32>(((_e303 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e314);
+                let _e334 = mat3x3<f32>(vec3<f32>(_e318.x, _e324.x, _e324.y), vec3<f32>(0f, _e318.y, _e318.z), vec3<f32>(0f, 0f, _e324.z));
+                switch bitcast<i32>(0u) {
+                    default: {
+                        let _e344 = global.member_2;
+                        let _e346 = global.member_3;
+                        let _e347 = clamp((_e139.xy / vec2(_e138)), _e344, _e346);
+                        let _e350 = global.member[0u];
+                        let _e356 = (((_e149 - (_e151 * _e347.x)) * (_e350 / _e138)) * _e334);
+                        let _e359 = global.member[1u];
+                        let _e365 = (((_e150 - (_e151 * _e347.y)) * (_e359 / _e138)) * _e334);
+                        let _e367 = global.member_47;
+                        let _e369 = (dot(_e356, _e356) + _e367);
+                        let _e372 = (dot(_e365, _e365) + _e367);
+                        let _e374 = cross(_e356, _e365);
+                        let _e375 = dot(_e374, _e374);
+                        let _e379 = (_e375 + (_e367 * ((_e369 + _e372) - _e367)));
+                        let _e380 = (_e379 > 0f);
+                        phi_1915_ = _e380;
+                        if _e380 {
+                            phi_1915_ = (_e369 <= 1000000000000000000f);
+                        }
+                        let _e383 = phi_1915_;
+                        phi_1921_ = _e383;
+                        if _e383 {
+                            phi_1921_ = (_e372 <= 1000000000000000000f);
+                        }
+                        let _e386 = phi_1921_;
+                        if !(_e386) {
+                            let _e389 = global_2.member_9;
+                            if (_e389 != 0u) {
+                                let _e393 = atomicAdd((&global_1.member[2u]), 1u);
+                            }
+                            phi_2464_ = 4294967295u;
+                            break;
+                        }
+                        phi_2448_ = (1f - (_e279 * 0.003921569f));
+                        phi_2447_ = 0u;
                         loop {
-                            let _e331 = phi_2101_;
-                            let _e333 = phi_2100_;
-                            let _e335 = global.member_43;
-                            local = _e331;
-                            if (_e333 < _e335) {
+                            let _e397 = phi_2448_;
+                            let _e399 = phi_2447_;
+                            local = _e397;
+                            if (_e399 < 3u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_2101_ = (_e331 * _e331);
-                                phi_2100_ = (_e333 + bitcast<u32>(1i));
+                                let _e403 = global.member_43;
+                                phi_2448_ = select(_e397, (_e397 * _e397), (_e399 < _e403));
+                                phi_2447_ = (_e399 + bitcast<u32>(1i));
                             }
                         }
-                        let _e341 = local;
-                        let _e345 = u32(round((255f * (1f - _e341))));
-                        let _e347 = global.member_48;
-                        phi_2109_ = _e345;
-                        if (_e347 > 0f) {
-                            let _e357 = u32(round((f32(_e345) * ((1f - _e347) + (_e347 * sqrt((_e309 / _e313)))))));
-                            if (f32(_e357) <= _e203) {
-                                let _e361 = global_2.member_9;
-                                if (_e361 != 0u) {
-                                    let _e365 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e409 = local;
+                        let _e413 = u32(round((255f * (1f - _e409))));
+                        let _e415 = global.member_48;
+                        phi_2456_ = _e413;
+                        if (_e415 > 0f) {
+                            let _e425 = u32(round((f32(_e413) * ((1f - _e415) + (_e415 * sqrt((_e375 / _e379)))))));
+                            if (f32(_e425) <= _e281) {
+                                let _e429 = global_2.member_9;
+                                if (_e429 != 0u) {
+                                    let _e433 = atomicAdd((&global_1.member[1u]), 1u);
                                 }
-                                phi_2115_ = 4294967295u;
+                                phi_2464_ = 4294967295u;
                                 break;
                             }
-                            phi_2109_ = _e357;
+                            phi_2456_ = _e425;
                         }
-                        let _e367 = phi_2109_;
-                        let _e369 = global.member_45;
-                        let _e370 = (vec3<f32>(_e303, dot(_e290, _e299), _e306) * _e369);
-                        let _e383 = global.member_49;
-                        let _e384 = ((sqrt(_e370.xz) * sqrt((2f * log(max((f32(_e367) / _e203), 1f))))) * _e383);
-                        let _e387 = global.member_50;
-                        let _e390 = all(((_e197 + _e384) > _e387.xy));
-                        phi_1710_ = _e390;
-                        if _e390 {
-                            phi_1710_ = all(((_e197 - _e384) < _e387.zw));
+                        let _e435 = phi_2456_;
+                        let _e437 = global.member_45;
+                        let _e438 = (vec3<f32>(_e369, dot(_e356, _e365), _e372) * _e437);
+                        let _e451 = global.member_49;
+                        let _e452 = ((sqrt(_e438.xz) * sqrt((2f * log(max((f32(_e435) / _e281), 1f))))) * _e451);
+                        let _e455 = global.member_50;
+                        let _e458 = all(((_e194 + _e452) > _e455.xy));
+                        phi_1999_ = _e458;
+                        if _e458 {
+                            phi_1999_ = all(((_e194 - _e452) < _e455.zw));
                         }
-                        let _e396 = phi_1710_;
-                        if !(_e396) {
-                            let _e399 = global_2.member_9;
-                            if (_e399 != 0u) {
-                                let _e403 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e464 = phi_1999_;
+                        if !(_e464) {
+                            let _e467 = global_2.member_9;
+                            if (_e467 != 0u) {
+                                let _e471 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2115_ = 4294967295u;
+                            phi_2464_ = 4294967295u;
                             break;
                         }
-                        let _e408 = (0.5f * (_e370.x - _e370.z));
-                        let _e413 = sqrt(((_e408 * _e408) + (_e370.y * _e370.y)));
-                        let _e416 = ((0.5f * (_e370.x + _e370.z)) + _e413);
-                        if (_e408 >= 0f) {
-                            phi_2113_ = vec2<f32>((_e408 + _e413), _e370.y);
+                        let _e476 = (0.5f * (_e438.x - _e438.z));
+                        let _e481 = sqrt(((_e476 * _e476) + (_e438.y * _e438.y)));
+                        let _e484 = ((0.5f * (_e438.x + _e438.z)) + _e481);
+                        if (_e476 >= 0f) {
+                            phi_2460_ = vec2<f32>((_e476 + _e481), _e438.y);
                         } else {
-                            phi_2113_ = vec2<f32>(_e370.y, (_e413 - _e408));
+                            phi_2460_ = vec2<f32>(_e438.y, (_e481 - _e476));
                         }
-                        let _e423 = phi_2113_;
-                        if (_e413 > (0.00000001f * _e416)) {
-                            phi_2114_ = normalize(_e423);
+                        let _e491 = phi_2460_;
+                        if (_e481 > (0.00000001f * _e484)) {
+                            phi_2461_ = normalize(_e491);
                         } else {
-                            phi_2114_ = vec2<f32>(1f, 0f);
+                            phi_2461_ = vec2<f32>(1f, 0f);
                         }
-                        let _e428 = phi_2114_;
-                        let _e435 = global.member_5;
-                        let _e439 = global.member_10;
-                        let _e443 = vec2<u32>(clamp(round(((_e197 + vec2(_e435)) * _e439)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e446 = vec3<u32>(round((clamp((vec3<f32>((_e225 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e474 = global.member_41;
-                        let _e476 = (4u * (_e474 + _e59));
-                        global_3.member[_e476] = ((_e443.x | (_e446.x << bitcast<u32>(20u))) | (_e446.z << bitcast<u32>(30u)));
-                        global_3.member[(_e476 + 1u)] = (_e443.y | (_e446.y << bitcast<u32>(20u)));
-                        global_3.member[(_e476 + 2u)] = pack2x16float((_e428 * min(sqrt(_e416), 65504f)));
-                        global_3.member[(_e476 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e313 * (_e369 * _e369)) / _e416)), 65504f), 0f)) | (_e367 << bitcast<u32>(16u))) | ((_e446.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e489 = global.member_9;
-                        phi_2115_ = min(u32((_e195 * f32(_e489))), _e489);
+                        let _e496 = phi_2461_;
+                        let _e504 = max(-(_e194), (_e194 * 0.5f));
+                        let _e509 = global.member_5;
+                        let _e510 = (max(_e504.x, _e504.y) / _e509);
+                        let _e518 = ((select(0u, 1u, (_e510 > 1f)) + select(0u, 1u, (_e510 > 64f))) + select(0u, 1u, (_e510 > 4096f)));
+                        let _e527 = global.member_10;
+                        let _e531 = vec2<u32>(clamp(round((((_e194 * exp2(-(f32((_e518 * 6u))))) + vec2(_e509)) * _e527)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e534 = vec3<u32>(round((clamp((vec3<f32>((_e303 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e565 = global.member_41;
+                        let _e567 = (4u * (_e565 + _e65));
+                        global_3.member[_e567] = ((_e531.x | (_e534.x << bitcast<u32>(20u))) | (_e534.z << bitcast<u32>(30u)));
+                        global_3.member[(_e567 + 1u)] = ((_e531.y | (_e534.y << bitcast<u32>(20u))) | (_e518 << bitcast<u32>(30u)));
+                        global_3.member[(_e567 + 2u)] = pack2x16float((_e496 * min(sqrt(_e484), 65504f)));
+                        global_3.member[(_e567 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e379 * (_e437 * _e437)) / _e484)), 65504f), 0f)) | (_e435 << bitcast<u32>(16u))) | ((_e534.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e580 = global.member_9;
+                        phi_2464_ = min(u32((_e192 * f32(_e580))), _e580);
                         break;
                     }
                 }
-                let _e495 = phi_2115_;
-                phi_2116_ = _e495;
+                let _e586 = phi_2464_;
+                phi_2465_ = _e586;
                 break;
             }
         }
-        let _e497 = phi_2116_;
-        phi_2117_ = _e497;
+        let _e588 = phi_2465_;
+        phi_2466_ = _e588;
     } else {
-        phi_2117_ = 4294967295u;
+        phi_2466_ = 4294967295u;
     }
-    let _e499 = phi_2117_;
+    let _e590 = phi_2466_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e502 = bitcast<u32>(param[0u]);
-            let _e504 = global.member_41;
-            let _e505 = (_e504 + _e59);
-            if (_e499 != 4294967295u) {
-                let _e508 = global.member_37;
-                let _e512 = global.member_36;
-                let _e518 = atomicAdd((&global_1.member[((_e512 + ((_e505 / _e508) * 256u)) + (_e499 & 255u))]), 1u);
+            let _e593 = bitcast<u32>(param[0u]);
+            let _e595 = global.member_41;
+            let _e596 = (_e595 + _e65);
+            if (_e590 != 4294967295u) {
+                let _e599 = global.member_37;
+                let _e603 = global.member_36;
+                let _e609 = atomicAdd((&global_1.member[((_e603 + ((_e596 / _e599) * 256u)) + (_e590 & 255u))]), 1u);
             }
-            let _e520 = global.member_35;
-            if (_e520 == 0u) {
-                if (_e59 < (_e61 + (_e61 & 1u))) {
-                    let _e526 = global.member_28;
-                    global_3.member[(_e526 + _e505)] = _e499;
+            let _e611 = global.member_35;
+            if (_e611 == 0u) {
+                if (_e65 < (_e67 + (_e67 & 1u))) {
+                    let _e617 = global.member_28;
+                    global_3.member[(_e617 + _e596)] = _e590;
                 }
                 break;
             }
-            global_4[_e502] = _e499;
+            global_4[_e593] = _e590;
             workgroupBarrier();
-            let _e532 = ((_e502 & 1u) == 0u);
-            if select(_e532, _e62, _e532) {
-                let _e535 = global.member_28;
-                let _e542 = global_4[(_e502 + 1u)];
-                global_3.member[(_e535 + (_e505 >> bitcast<u32>(1u)))] = ((_e499 & 65535u) | (_e542 << bitcast<u32>(16u)));
+            let _e623 = ((_e593 & 1u) == 0u);
+            if select(_e623, _e68, _e623) {
+                let _e626 = global.member_28;
+                let _e633 = global_4[(_e593 + 1u)];
+                global_3.member[(_e626 + (_e596 >> bitcast<u32>(1u)))] = ((_e590 & 65535u) | (_e633 << bitcast<u32>(16u)));
             }
             break;
         }

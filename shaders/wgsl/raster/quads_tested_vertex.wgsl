@@ -152,74 +152,74 @@ var<private> global_9: vec2<f32>;
 var<private> global_10: vec2<u32>;
 
 fn function_() {
-    var phi_554_: f32;
-    var phi_555_: f32;
-    var phi_556_: u32;
-    var phi_557_: u32;
+    var phi_600_: f32;
+    var phi_601_: f32;
+    var phi_602_: u32;
+    var phi_603_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e50 = global_3;
-            let _e53 = global_4;
-            let _e56 = ((bitcast<u32>(_e50) * 128u) + (bitcast<u32>(_e53) / 4u));
+            let _e52 = global_3;
+            let _e55 = global_4;
+            let _e58 = ((bitcast<u32>(_e52) * 128u) + (bitcast<u32>(_e55) / 4u));
             global_5.member = vec4<f32>(-2f, -2f, 0f, 1f);
-            let _e60 = global_6.member.member_6;
-            if (_e56 >= _e60) {
+            let _e62 = global_6.member.member_6;
+            if (_e58 >= _e62) {
                 break;
             }
-            let _e64 = global_7.member[_e56];
-            let _e69 = global_2.member[(_e64 >> bitcast<u32>(5u))];
-            if !((((_e69 >> bitcast<u32>((_e64 & 31u))) & 1u) != 0u)) {
+            let _e66 = global_7.member[_e58];
+            let _e71 = global_2.member[(_e66 >> bitcast<u32>(5u))];
+            if !((((_e71 >> bitcast<u32>((_e66 & 31u))) & 1u) != 0u)) {
                 break;
             }
-            let _e78 = global_1.member[_e64];
-            let _e83 = unpack2x16float(_e78.z);
-            let _e112 = log2((f32(((_e78.w >> bitcast<u32>(16u)) & 255u)) * 0.003921569f));
-            let _e114 = global_8.member_1;
-            let _e117 = global_8.member;
-            let _e119 = sqrt((max(_e112, _e114) - _e117));
-            if ((_e53 & 1i) == 0i) {
-                phi_554_ = -(_e119);
+            let _e80 = global_1.member[_e66];
+            let _e91 = unpack2x16float(_e80.z);
+            let _e119 = log2((f32(((_e80.w >> bitcast<u32>(16u)) & 255u)) * 0.003921569f));
+            let _e121 = global_8.member_1;
+            let _e124 = global_8.member;
+            let _e126 = sqrt((max(_e119, _e121) - _e124));
+            if ((_e55 & 1i) == 0i) {
+                phi_600_ = -(_e126);
             } else {
-                phi_554_ = _e119;
+                phi_600_ = _e126;
             }
-            let _e124 = phi_554_;
-            if ((_e53 & 2i) == 0i) {
-                phi_555_ = -(_e119);
+            let _e131 = phi_600_;
+            if ((_e55 & 2i) == 0i) {
+                phi_601_ = -(_e126);
             } else {
-                phi_555_ = _e119;
+                phi_601_ = _e126;
             }
-            let _e129 = phi_555_;
-            global_9 = vec2<f32>(_e124, _e129);
-            let _e141 = global.member_13[2u];
-            let _e146 = global.member_13[3u];
-            let _e148 = global_9[0u];
-            let _e151 = global_9[1u];
-            let _e157 = global.member_13;
-            let _e160 = ((((vec2<f32>((_e78.xy & vec2<u32>(1048575u, 1048575u))) - vec2(_e141)) + (((_e83 * _e148) + ((vec2<f32>(-(_e83.y), _e83.x) * (inverseSqrt(dot(_e83, _e83)) * unpack2x16float(_e78.w).x)) * _e151)) * _e146)) * _e157.xy) - vec2<f32>(1f, 1f));
-            global_5.member[0u] = _e160.x;
-            global_5.member[1u] = _e160.y;
-            let _e168 = global.member_28;
-            let _e170 = global.member_35;
-            let _e171 = (_e170 != 0u);
-            if _e171 {
-                phi_556_ = (_e64 >> bitcast<u32>(1u));
+            let _e136 = phi_601_;
+            global_9 = vec2<f32>(_e131, _e136);
+            let _e148 = global.member_13[2u];
+            let _e154 = global.member_13[3u];
+            let _e156 = global_9[0u];
+            let _e159 = global_9[1u];
+            let _e165 = global.member_13;
+            let _e168 = (((((vec2<f32>((_e80.xy & vec2<u32>(1048575u, 1048575u))) - vec2(_e148)) * bitcast<f32>((((_e80.y >> bitcast<u32>(30u)) * 50331648u) + 1065353216u))) + (((_e91 * _e156) + ((vec2<f32>(-(_e91.y), _e91.x) * (inverseSqrt(dot(_e91, _e91)) * unpack2x16float(_e80.w).x)) * _e159)) * _e154)) * _e165.xy) - vec2<f32>(1f, 1f));
+            global_5.member[0u] = _e168.x;
+            global_5.member[1u] = _e168.y;
+            let _e176 = global.member_28;
+            let _e178 = global.member_35;
+            let _e179 = (_e178 != 0u);
+            if _e179 {
+                phi_602_ = (_e66 >> bitcast<u32>(1u));
             } else {
-                phi_556_ = _e64;
+                phi_602_ = _e66;
             }
-            let _e175 = phi_556_;
-            let _e176 = (_e168 + _e175);
-            let _e183 = global_1.member[(_e176 >> bitcast<u32>(2u))][(_e176 & 3u)];
-            if _e171 {
-                phi_557_ = ((_e183 >> bitcast<u32>((16u * (_e64 & 1u)))) & 65535u);
+            let _e183 = phi_602_;
+            let _e184 = (_e176 + _e183);
+            let _e191 = global_1.member[(_e184 >> bitcast<u32>(2u))][(_e184 & 3u)];
+            if _e179 {
+                phi_603_ = ((_e191 >> bitcast<u32>((16u * (_e66 & 1u)))) & 65535u);
             } else {
-                phi_557_ = _e183;
+                phi_603_ = _e191;
             }
-            let _e190 = phi_557_;
-            let _e193 = global.member_9;
-            global_5.member[2u] = (1f - (f32(_e190) / f32(_e193)));
-            let _e201 = (round(((vec3<f32>(f32(((_e78.x >> bitcast<u32>(20u)) & 1023u)), f32(((_e78.y >> bitcast<u32>(20u)) & 1023u)), f32((((_e78.w >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e78.x >> bitcast<u32>(30u))))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)) * 2048f)) * vec3<f32>(0.00048828125f, 0.00048828125f, 0.00048828125f));
-            global_10 = vec2<u32>(pack2x16float(_e201.xy), pack2x16float(vec2<f32>(_e201.z, _e112)));
+            let _e198 = phi_603_;
+            let _e201 = global.member_9;
+            global_5.member[2u] = (1f - (f32(_e198) / f32(_e201)));
+            let _e209 = (round(((vec3<f32>(f32(((_e80.x >> bitcast<u32>(20u)) & 1023u)), f32(((_e80.y >> bitcast<u32>(20u)) & 1023u)), f32((((_e80.w >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e80.x >> bitcast<u32>(30u))))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)) * 2048f)) * vec3<f32>(0.00048828125f, 0.00048828125f, 0.00048828125f));
+            global_10 = vec2<u32>(pack2x16float(_e209.xy), pack2x16float(vec2<f32>(_e209.z, _e119)));
             break;
         }
     }

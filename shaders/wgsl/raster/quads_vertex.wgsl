@@ -146,49 +146,49 @@ var<private> global_8: vec2<f32>;
 var<private> global_9: vec2<u32>;
 
 fn function_() {
-    var phi_504_: f32;
-    var phi_505_: f32;
+    var phi_550_: f32;
+    var phi_551_: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e43 = global_2;
-            let _e46 = global_3;
-            let _e49 = ((bitcast<u32>(_e43) * 128u) + (bitcast<u32>(_e46) / 4u));
+            let _e45 = global_2;
+            let _e48 = global_3;
+            let _e51 = ((bitcast<u32>(_e45) * 128u) + (bitcast<u32>(_e48) / 4u));
             global_4.member = vec4<f32>(-2f, -2f, 0f, 1f);
-            let _e53 = global_5.member.member_6;
-            if (_e49 >= _e53) {
+            let _e55 = global_5.member.member_6;
+            if (_e51 >= _e55) {
                 break;
             }
-            let _e57 = global_6.member[_e49];
-            let _e60 = global_1.member[_e57];
-            let _e65 = unpack2x16float(_e60.z);
-            let _e94 = log2((f32(((_e60.w >> bitcast<u32>(16u)) & 255u)) * 0.003921569f));
-            let _e96 = global_7.member_1;
-            let _e99 = global_7.member;
-            let _e101 = sqrt((max(_e94, _e96) - _e99));
-            if ((_e46 & 1i) == 0i) {
-                phi_504_ = -(_e101);
+            let _e59 = global_6.member[_e51];
+            let _e62 = global_1.member[_e59];
+            let _e73 = unpack2x16float(_e62.z);
+            let _e101 = log2((f32(((_e62.w >> bitcast<u32>(16u)) & 255u)) * 0.003921569f));
+            let _e103 = global_7.member_1;
+            let _e106 = global_7.member;
+            let _e108 = sqrt((max(_e101, _e103) - _e106));
+            if ((_e48 & 1i) == 0i) {
+                phi_550_ = -(_e108);
             } else {
-                phi_504_ = _e101;
+                phi_550_ = _e108;
             }
-            let _e106 = phi_504_;
-            if ((_e46 & 2i) == 0i) {
-                phi_505_ = -(_e101);
+            let _e113 = phi_550_;
+            if ((_e48 & 2i) == 0i) {
+                phi_551_ = -(_e108);
             } else {
-                phi_505_ = _e101;
+                phi_551_ = _e108;
             }
-            let _e111 = phi_505_;
-            global_8 = vec2<f32>(_e106, _e111);
-            let _e123 = global.member_13[2u];
-            let _e128 = global.member_13[3u];
-            let _e130 = global_8[0u];
-            let _e133 = global_8[1u];
-            let _e139 = global.member_13;
-            let _e142 = ((((vec2<f32>((_e60.xy & vec2<u32>(1048575u, 1048575u))) - vec2(_e123)) + (((_e65 * _e130) + ((vec2<f32>(-(_e65.y), _e65.x) * (inverseSqrt(dot(_e65, _e65)) * unpack2x16float(_e60.w).x)) * _e133)) * _e128)) * _e139.xy) - vec2<f32>(1f, 1f));
-            global_4.member[0u] = _e142.x;
-            global_4.member[1u] = _e142.y;
-            let _e151 = (round(((vec3<f32>(f32(((_e60.x >> bitcast<u32>(20u)) & 1023u)), f32(((_e60.y >> bitcast<u32>(20u)) & 1023u)), f32((((_e60.w >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e60.x >> bitcast<u32>(30u))))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)) * 2048f)) * vec3<f32>(0.00048828125f, 0.00048828125f, 0.00048828125f));
-            global_9 = vec2<u32>(pack2x16float(_e151.xy), pack2x16float(vec2<f32>(_e151.z, _e94)));
+            let _e118 = phi_551_;
+            global_8 = vec2<f32>(_e113, _e118);
+            let _e130 = global.member_13[2u];
+            let _e136 = global.member_13[3u];
+            let _e138 = global_8[0u];
+            let _e141 = global_8[1u];
+            let _e147 = global.member_13;
+            let _e150 = (((((vec2<f32>((_e62.xy & vec2<u32>(1048575u, 1048575u))) - vec2(_e130)) * bitcast<f32>((((_e62.y >> bitcast<u32>(30u)) * 50331648u) + 1065353216u))) + (((_e73 * _e138) + ((vec2<f32>(-(_e73.y), _e73.x) * (inverseSqrt(dot(_e73, _e73)) * unpack2x16float(_e62.w).x)) * _e141)) * _e136)) * _e147.xy) - vec2<f32>(1f, 1f));
+            global_4.member[0u] = _e150.x;
+            global_4.member[1u] = _e150.y;
+            let _e159 = (round(((vec3<f32>(f32(((_e62.x >> bitcast<u32>(20u)) & 1023u)), f32(((_e62.y >> bitcast<u32>(20u)) & 1023u)), f32((((_e62.w >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e62.x >> bitcast<u32>(30u))))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)) * 2048f)) * vec3<f32>(0.00048828125f, 0.00048828125f, 0.00048828125f));
+            global_9 = vec2<u32>(pack2x16float(_e159.xy), pack2x16float(vec2<f32>(_e159.z, _e101)));
             break;
         }
     }

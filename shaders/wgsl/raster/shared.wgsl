@@ -586,7 +586,7 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var param_50: f32;
     var param_51: f32;
     var bits_2: u32;
-    var phi_496_: bool;
+    var phi_514_: bool;
 
     let _e38 = (*e).b;
     let _e41 = (*e).most;
@@ -653,13 +653,13 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
             let _e148 = met[0u];
             let _e150 = met[1u];
             let _e151 = (_e148 < _e150);
-            phi_496_ = _e151;
+            phi_514_ = _e151;
             if _e151 {
                 let _e153 = squared[0u];
                 let _e155 = squared[1u];
-                phi_496_ = !((max(_e153, _e155) < 0f));
+                phi_514_ = !((max(_e153, _e155) < 0f));
             }
-            let _e160 = phi_496_;
+            let _e160 = phi_514_;
             if _e160 {
                 let _e162 = met[1u];
                 let _e166 = met[0u];
@@ -684,62 +684,71 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     return _e184;
 }
 
-fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e2 = (*words);
+fn coarseness_of_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> f32 {
+    let _e6 = (*words)[1u];
+    return bitcast<f32>((((_e6 >> bitcast<u32>(30u)) * 50331648u) + bitcast<u32>(1f)));
+}
+
+fn fixed_center_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> vec2<f32> {
+    let _e2 = (*words_1);
     return vec2<f32>((_e2.xy & vec2(1048575u)));
 }
 
-fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
+fn unpack_splat_u0028_vu4_u003b(words_2: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
     var param_52: vec4<u32>;
+    var param_53: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
-    let _e18 = (*words_1);
-    param_52 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_52));
-    let _e21 = frame.fixed_scale;
-    let _e25 = frame.guard;
-    splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
-    let _e30 = (*words_1)[2u];
-    splat.axis = unpack2x16float(_e30);
-    let _e34 = (*words_1)[3u];
-    splat.shorter = unpack2x16float(_e34).x;
-    let _e39 = (*words_1)[3u];
-    let _e45 = (*words_1)[0u];
-    blue = (((_e39 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e45 >> bitcast<u32>(30u)));
-    let _e50 = (*words_1)[0u];
-    red = ((_e50 >> bitcast<u32>(20u)) & 1023u);
-    let _e55 = (*words_1)[1u];
-    green = ((_e55 >> bitcast<u32>(20u)) & 1023u);
-    let _e59 = red;
-    let _e61 = green;
-    let _e63 = blue;
-    splat.color = (vec3<f32>(f32(_e59), f32(_e61), f32(_e63)) / vec3(1023f));
-    let _e70 = (*words_1)[3u];
-    splat.opacity = ((_e70 >> bitcast<u32>(16u)) & 255u);
-    let _e75 = splat;
-    return _e75;
+    let _e19 = (*words_2);
+    param_52 = _e19;
+    let _e20 = fixed_center_u0028_vu4_u003b((&param_52));
+    let _e22 = frame.fixed_scale;
+    let _e26 = frame.guard;
+    let _e29 = (*words_2);
+    param_53 = _e29;
+    let _e30 = coarseness_of_u0028_vu4_u003b((&param_53));
+    splat.center = (((_e20 / vec2(_e22)) - vec2(_e26)) * _e30);
+    let _e34 = (*words_2)[2u];
+    splat.axis = unpack2x16float(_e34);
+    let _e38 = (*words_2)[3u];
+    splat.shorter = unpack2x16float(_e38).x;
+    let _e43 = (*words_2)[3u];
+    let _e49 = (*words_2)[0u];
+    blue = (((_e43 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e49 >> bitcast<u32>(30u)));
+    let _e54 = (*words_2)[0u];
+    red = ((_e54 >> bitcast<u32>(20u)) & 1023u);
+    let _e59 = (*words_2)[1u];
+    green = ((_e59 >> bitcast<u32>(20u)) & 1023u);
+    let _e63 = red;
+    let _e65 = green;
+    let _e67 = blue;
+    splat.color = (vec3<f32>(f32(_e63), f32(_e65), f32(_e67)) / vec3(1023f));
+    let _e74 = (*words_2)[3u];
+    splat.opacity = ((_e74 >> bitcast<u32>(16u)) & 255u);
+    let _e79 = splat;
+    return _e79;
 }
 
 fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>, i: ptr<function, u32>, packed: ptr<function, vec4<u32>>, corner_1: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_53: vec4<u32>;
+    var param_54: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
     var exponent_1: f32;
     var ellipse: Ellipse;
-    var param_54: u32;
-    var param_55: Ellipse;
+    var param_55: u32;
+    var param_56: Ellipse;
     var color_1: vec3<u32>;
     var word_1: u32;
-    var phi_681_: bool;
+    var phi_699_: bool;
 
     let _e28 = (*packed);
-    param_53 = _e28;
-    let _e29 = unpack_splat_u0028_vu4_u003b((&param_53));
+    param_54 = _e28;
+    let _e29 = unpack_splat_u0028_vu4_u003b((&param_54));
     splat_1 = _e29;
     let _e31 = splat_1.axis;
     let _e33 = splat_1.axis;
@@ -782,16 +791,16 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     ellipse.most = ((_e110 - _e112) + 0.00390625f);
     let _e117 = ellipse.most;
     let _e118 = (_e117 < 0f);
-    phi_681_ = _e118;
+    phi_699_ = _e118;
     if !(_e118) {
         let _e120 = (*thread_1);
-        param_54 = _e120;
+        param_55 = _e120;
         let _e121 = ellipse;
-        param_55 = _e121;
-        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_54), (&param_55));
-        phi_681_ = !(_e122);
+        param_56 = _e121;
+        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_55), (&param_56));
+        phi_699_ = !(_e122);
     }
-    let _e125 = phi_681_;
+    let _e125 = phi_699_;
     if _e125 {
         return;
     }
@@ -862,35 +871,35 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_56: u32;
+    var param_57: u32;
     var from_2: u32;
     var end_1: u32;
     var i_1: u32;
-    var param_57: u32;
     var param_58: u32;
     var param_59: u32;
-    var next: u32;
     var param_60: u32;
+    var next: u32;
     var param_61: u32;
     var param_62: u32;
-    var pair_1: u32;
     var param_63: u32;
+    var pair_1: u32;
     var param_64: u32;
-    var k_5: u32;
     var param_65: u32;
+    var k_5: u32;
     var param_66: u32;
-    var param_67: vec4<u32>;
-    var param_68: vec2<f32>;
-    var param_69: u32;
+    var param_67: u32;
+    var param_68: vec4<u32>;
+    var param_69: vec2<f32>;
     var param_70: u32;
     var param_71: u32;
-    var word_2: u32;
     var param_72: u32;
+    var word_2: u32;
     var param_73: u32;
-    var param_74: Samples;
-    var param_75: u32;
+    var param_74: u32;
+    var param_75: Samples;
     var param_76: u32;
-    var param_77: vec2<f32>;
+    var param_77: u32;
+    var param_78: vec2<f32>;
 
     let _e52 = gl_LocalInvocationIndex_1;
     thread_2 = _e52;
@@ -902,8 +911,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     at_2 = (_e56 / vec2((_e58 << bitcast<u32>(_e59))));
     let _e65 = at_2[1u];
     let _e66 = shift_1;
-    param_56 = _e66;
-    let _e67 = bins_of_u0028_u1_u003b((&param_56));
+    param_57 = _e66;
+    let _e67 = bins_of_u0028_u1_u003b((&param_57));
     let _e71 = at_2[0u];
     bin = ((_e65 * _e67.x) + _e71);
     let _e74 = settings.starts_start;
@@ -916,28 +925,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     end_1 = _e87;
     let _e88 = from_2;
     let _e89 = thread_2;
-    param_57 = (_e88 + _e89);
+    param_58 = (_e88 + _e89);
     let _e91 = end_1;
-    param_58 = _e91;
-    let _e92 = pair_at_u0028_u1_u003b_u1_u003b((&param_57), (&param_58));
-    param_59 = _e92;
-    let _e93 = splat_of_u0028_u1_u003b((&param_59));
+    param_59 = _e91;
+    let _e92 = pair_at_u0028_u1_u003b_u1_u003b((&param_58), (&param_59));
+    param_60 = _e92;
+    let _e93 = splat_of_u0028_u1_u003b((&param_60));
     i_1 = _e93;
     let _e94 = from_2;
     let _e96 = thread_2;
-    param_60 = ((_e94 + 256u) + _e96);
+    param_61 = ((_e94 + 256u) + _e96);
     let _e98 = end_1;
-    param_61 = _e98;
-    let _e99 = pair_at_u0028_u1_u003b_u1_u003b((&param_60), (&param_61));
-    param_62 = _e99;
-    let _e100 = splat_of_u0028_u1_u003b((&param_62));
+    param_62 = _e98;
+    let _e99 = pair_at_u0028_u1_u003b_u1_u003b((&param_61), (&param_62));
+    param_63 = _e99;
+    let _e100 = splat_of_u0028_u1_u003b((&param_63));
     next = _e100;
     let _e101 = from_2;
     let _e103 = thread_2;
-    param_63 = ((_e101 + 512u) + _e103);
+    param_64 = ((_e101 + 512u) + _e103);
     let _e105 = end_1;
-    param_64 = _e105;
-    let _e106 = pair_at_u0028_u1_u003b_u1_u003b((&param_63), (&param_64));
+    param_65 = _e105;
+    let _e106 = pair_at_u0028_u1_u003b_u1_u003b((&param_64), (&param_65));
     pair_1 = _e106;
     loop {
         let _e107 = from_2;
@@ -975,26 +984,26 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e126 = i_1;
                 let _e127 = (*corner_2);
                 let _e129 = thread_2;
-                param_65 = _e129;
+                param_66 = _e129;
                 let _e130 = i_1;
-                param_66 = _e130;
+                param_67 = _e130;
                 let _e133 = unnamed_2.splats[_e126];
-                param_67 = _e133;
-                param_68 = vec2<f32>(_e127);
-                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_65), (&param_66), (&param_67), (&param_68));
+                param_68 = _e133;
+                param_69 = vec2<f32>(_e127);
+                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_66), (&param_67), (&param_68), (&param_69));
             }
             let _e134 = next;
             i_1 = _e134;
             let _e135 = pair_1;
-            param_69 = _e135;
-            let _e136 = splat_of_u0028_u1_u003b((&param_69));
+            param_70 = _e135;
+            let _e136 = splat_of_u0028_u1_u003b((&param_70));
             next = _e136;
             let _e137 = from_2;
             let _e139 = thread_2;
-            param_70 = ((_e137 + 768u) + _e139);
+            param_71 = ((_e137 + 768u) + _e139);
             let _e141 = end_1;
-            param_71 = _e141;
-            let _e142 = pair_at_u0028_u1_u003b_u1_u003b((&param_70), (&param_71));
+            param_72 = _e141;
+            let _e142 = pair_at_u0028_u1_u003b_u1_u003b((&param_71), (&param_72));
             pair_1 = _e142;
             workgroupBarrier();
             let _e143 = workgroupUniformLoad((&batch_open));
@@ -1007,19 +1016,19 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e148 = (*samples_3).open;
                 if ((_e145 < 8u) && _e148) {
                     let _e150 = thread_2;
-                    param_72 = _e150;
+                    param_73 = _e150;
                     let _e151 = word_2;
-                    param_73 = _e151;
-                    let _e152 = hits_of_u0028_u1_u003b_u1_u003b((&param_72), (&param_73));
+                    param_74 = _e151;
+                    let _e152 = hits_of_u0028_u1_u003b_u1_u003b((&param_73), (&param_74));
                     let _e153 = word_2;
                     let _e155 = (*samples_3);
-                    param_74 = _e155;
-                    param_75 = _e152;
-                    param_76 = (32u * _e153);
+                    param_75 = _e155;
+                    param_76 = _e152;
+                    param_77 = (32u * _e153);
                     let _e156 = (*first_4);
-                    param_77 = _e156;
-                    blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_74), (&param_75), (&param_76), (&param_77));
-                    let _e157 = param_74;
+                    param_78 = _e156;
+                    blend_hits_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_75), (&param_76), (&param_77), (&param_78));
+                    let _e157 = param_75;
                     (*samples_3) = _e157;
                     continue;
                 } else {
@@ -1045,28 +1054,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
 
 fn is_drawn_u0028_vu2_u003b(corner_3: ptr<function, vec2<u32>>) -> bool {
     var at_3: vec2<f32>;
-    var phi_276_: bool;
-    var phi_277_: bool;
+    var phi_295_: bool;
+    var phi_296_: bool;
 
     let _e4 = (*corner_3);
     at_3 = vec2<f32>(_e4);
     let _e7 = frame.area_reach;
     let _e8 = (_e7 < 0f);
-    phi_277_ = _e8;
+    phi_296_ = _e8;
     if !(_e8) {
         let _e10 = at_3;
         let _e12 = frame.area;
         let _e15 = all((_e10 >= _e12.xy));
-        phi_276_ = _e15;
+        phi_295_ = _e15;
         if _e15 {
             let _e16 = at_3;
             let _e18 = frame.area;
-            phi_276_ = all((_e16 < _e18.zw));
+            phi_295_ = all((_e16 < _e18.zw));
         }
-        let _e23 = phi_276_;
-        phi_277_ = _e23;
+        let _e23 = phi_295_;
+        phi_296_ = _e23;
     }
-    let _e25 = phi_277_;
+    let _e25 = phi_296_;
     return _e25;
 }
 
@@ -1093,7 +1102,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_14: vec2<u32>;
     var param_15: vec4<f32>;
     var param_16: bool;
-    var phi_1378_: bool;
+    var phi_1396_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1155,12 +1164,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_14), (&param_15), (&param_16));
     let _e98 = settings.counted;
     let _e99 = (_e98 != 0u);
-    phi_1378_ = _e99;
+    phi_1396_ = _e99;
     if _e99 {
         let _e101 = samples.evaluated;
-        phi_1378_ = (_e101 > 0u);
+        phi_1396_ = (_e101 > 0u);
     }
-    let _e104 = phi_1378_;
+    let _e104 = phi_1396_;
     if _e104 {
         let _e108 = samples.evaluated;
         let _e109 = atomicAdd((&unnamed_3.control.fragments), _e108);

@@ -201,7 +201,7 @@ fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005
     var light: f32;
     var behind: f32;
     var local: u32;
-    var phi_952_: bool;
+    var phi_970_: bool;
 
     s = 0u;
     loop {
@@ -219,13 +219,13 @@ fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005
             let _e28 = light;
             let _e30 = settings.saturation;
             let _e31 = (_e28 >= _e30);
-            phi_952_ = _e31;
+            phi_970_ = _e31;
             if _e31 {
                 let _e32 = behind;
                 let _e34 = settings.saturation;
-                phi_952_ = (_e32 < _e34);
+                phi_970_ = (_e32 < _e34);
             }
-            let _e37 = phi_952_;
+            let _e37 = phi_970_;
             if _e37 {
                 let _e39 = (*seen).word;
                 local = _e39;
@@ -645,7 +645,7 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     var param_43: f32;
     var param_44: f32;
     var bits_2: u32;
-    var phi_542_: bool;
+    var phi_560_: bool;
 
     let _e38 = (*e).b;
     let _e41 = (*e).most;
@@ -712,13 +712,13 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
             let _e148 = met[0u];
             let _e150 = met[1u];
             let _e151 = (_e148 < _e150);
-            phi_542_ = _e151;
+            phi_560_ = _e151;
             if _e151 {
                 let _e153 = squared[0u];
                 let _e155 = squared[1u];
-                phi_542_ = !((max(_e153, _e155) < 0f));
+                phi_560_ = !((max(_e153, _e155) < 0f));
             }
-            let _e160 = phi_542_;
+            let _e160 = phi_560_;
             if _e160 {
                 let _e162 = met[1u];
                 let _e166 = met[0u];
@@ -743,64 +743,73 @@ fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u00
     return _e184;
 }
 
-fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e2 = (*words);
+fn coarseness_of_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> f32 {
+    let _e6 = (*words)[1u];
+    return bitcast<f32>((((_e6 >> bitcast<u32>(30u)) * 50331648u) + bitcast<u32>(1f)));
+}
+
+fn fixed_center_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> vec2<f32> {
+    let _e2 = (*words_1);
     return vec2<f32>((_e2.xy & vec2(1048575u)));
 }
 
-fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
+fn unpack_splat_u0028_vu4_u003b(words_2: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
     var param_45: vec4<u32>;
+    var param_46: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
-    let _e18 = (*words_1);
-    param_45 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_45));
-    let _e21 = frame.fixed_scale;
-    let _e25 = frame.guard;
-    splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
-    let _e30 = (*words_1)[2u];
-    splat.axis = unpack2x16float(_e30);
-    let _e34 = (*words_1)[3u];
-    splat.shorter = unpack2x16float(_e34).x;
-    let _e39 = (*words_1)[3u];
-    let _e45 = (*words_1)[0u];
-    blue = (((_e39 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e45 >> bitcast<u32>(30u)));
-    let _e50 = (*words_1)[0u];
-    red = ((_e50 >> bitcast<u32>(20u)) & 1023u);
-    let _e55 = (*words_1)[1u];
-    green = ((_e55 >> bitcast<u32>(20u)) & 1023u);
-    let _e59 = red;
-    let _e61 = green;
-    let _e63 = blue;
-    splat.color = (vec3<f32>(f32(_e59), f32(_e61), f32(_e63)) / vec3(1023f));
-    let _e70 = (*words_1)[3u];
-    splat.opacity = ((_e70 >> bitcast<u32>(16u)) & 255u);
-    let _e75 = splat;
-    return _e75;
+    let _e19 = (*words_2);
+    param_45 = _e19;
+    let _e20 = fixed_center_u0028_vu4_u003b((&param_45));
+    let _e22 = frame.fixed_scale;
+    let _e26 = frame.guard;
+    let _e29 = (*words_2);
+    param_46 = _e29;
+    let _e30 = coarseness_of_u0028_vu4_u003b((&param_46));
+    splat.center = (((_e20 / vec2(_e22)) - vec2(_e26)) * _e30);
+    let _e34 = (*words_2)[2u];
+    splat.axis = unpack2x16float(_e34);
+    let _e38 = (*words_2)[3u];
+    splat.shorter = unpack2x16float(_e38).x;
+    let _e43 = (*words_2)[3u];
+    let _e49 = (*words_2)[0u];
+    blue = (((_e43 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e49 >> bitcast<u32>(30u)));
+    let _e54 = (*words_2)[0u];
+    red = ((_e54 >> bitcast<u32>(20u)) & 1023u);
+    let _e59 = (*words_2)[1u];
+    green = ((_e59 >> bitcast<u32>(20u)) & 1023u);
+    let _e63 = red;
+    let _e65 = green;
+    let _e67 = blue;
+    splat.color = (vec3<f32>(f32(_e63), f32(_e65), f32(_e67)) / vec3(1023f));
+    let _e74 = (*words_2)[3u];
+    splat.opacity = ((_e74 >> bitcast<u32>(16u)) & 255u);
+    let _e79 = splat;
+    return _e79;
 }
 
 fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>, i_1: ptr<function, u32>, packed: ptr<function, vec4<u32>>, corner: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_46: vec4<u32>;
+    var param_47: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
     var exponent_1: f32;
     var ellipse: Ellipse;
-    var param_47: u32;
-    var param_48: Ellipse;
+    var param_48: u32;
+    var param_49: Ellipse;
     var word_3: u32;
-    var param_49: u32;
-    var param_50: f32;
-    var param_51: vec3<f32>;
-    var phi_725_: bool;
+    var param_50: u32;
+    var param_51: f32;
+    var param_52: vec3<f32>;
+    var phi_743_: bool;
 
     let _e28 = (*packed);
-    param_46 = _e28;
-    let _e29 = unpack_splat_u0028_vu4_u003b((&param_46));
+    param_47 = _e28;
+    let _e29 = unpack_splat_u0028_vu4_u003b((&param_47));
     splat_1 = _e29;
     let _e31 = splat_1.axis;
     let _e33 = splat_1.axis;
@@ -843,27 +852,27 @@ fn load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b(thread_1: ptr<function, u32>
     ellipse.most = ((_e110 - _e112) + 0.00390625f);
     let _e117 = ellipse.most;
     let _e118 = (_e117 < 0f);
-    phi_725_ = _e118;
+    phi_743_ = _e118;
     if !(_e118) {
         let _e120 = (*thread_1);
-        param_47 = _e120;
+        param_48 = _e120;
         let _e121 = ellipse;
-        param_48 = _e121;
-        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_47), (&param_48));
-        phi_725_ = !(_e122);
+        param_49 = _e121;
+        let _e122 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_48), (&param_49));
+        phi_743_ = !(_e122);
     }
-    let _e125 = phi_725_;
+    let _e125 = phi_743_;
     if _e125 {
         return;
     }
     let _e126 = (*i_1);
-    param_49 = _e126;
-    let _e127 = key_at_u0028_u1_u003b((&param_49));
+    param_50 = _e126;
+    let _e127 = key_at_u0028_u1_u003b((&param_50));
     let _e130 = frame.key_max;
-    param_50 = (1f - (f32(_e127) / f32(_e130)));
+    param_51 = (1f - (f32(_e127) / f32(_e130)));
     let _e135 = splat_1.color;
-    param_51 = _e135;
-    let _e136 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_50), (&param_51));
+    param_52 = _e135;
+    let _e136 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_51), (&param_52));
     word_3 = _e136;
     let _e137 = (*thread_1);
     let _e139 = ellipse.center;
@@ -926,36 +935,36 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_52: u32;
+    var param_53: u32;
     var from_2: u32;
     var end_1: u32;
     var i_2: u32;
-    var param_53: u32;
     var param_54: u32;
     var param_55: u32;
-    var next: u32;
     var param_56: u32;
+    var next: u32;
     var param_57: u32;
     var param_58: u32;
-    var pair_1: u32;
     var param_59: u32;
+    var pair_1: u32;
     var param_60: u32;
-    var k_5: u32;
     var param_61: u32;
+    var k_5: u32;
     var param_62: u32;
-    var param_63: vec4<u32>;
-    var param_64: vec2<f32>;
+    var param_63: u32;
+    var param_64: vec4<u32>;
+    var param_65: vec2<f32>;
     var own: u32;
-    var param_65: u32;
     var param_66: u32;
     var param_67: u32;
-    var word_4: u32;
     var param_68: u32;
+    var word_4: u32;
     var param_69: u32;
-    var param_70: Samples;
-    var param_71: u32;
+    var param_70: u32;
+    var param_71: Samples;
     var param_72: u32;
-    var param_73: vec2<f32>;
+    var param_73: u32;
+    var param_74: vec2<f32>;
 
     let _e57 = gl_LocalInvocationIndex_1;
     thread_2 = _e57;
@@ -967,8 +976,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     at_2 = (_e61 / vec2((_e63 << bitcast<u32>(_e64))));
     let _e70 = at_2[1u];
     let _e71 = shift_1;
-    param_52 = _e71;
-    let _e72 = bins_of_u0028_u1_u003b((&param_52));
+    param_53 = _e71;
+    let _e72 = bins_of_u0028_u1_u003b((&param_53));
     let _e76 = at_2[0u];
     bin = ((_e70 * _e72.x) + _e76);
     let _e79 = settings.starts_start;
@@ -981,28 +990,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     end_1 = _e92;
     let _e93 = from_2;
     let _e94 = thread_2;
-    param_53 = (_e93 + _e94);
+    param_54 = (_e93 + _e94);
     let _e96 = end_1;
-    param_54 = _e96;
-    let _e97 = pair_at_u0028_u1_u003b_u1_u003b((&param_53), (&param_54));
-    param_55 = _e97;
-    let _e98 = splat_of_u0028_u1_u003b((&param_55));
+    param_55 = _e96;
+    let _e97 = pair_at_u0028_u1_u003b_u1_u003b((&param_54), (&param_55));
+    param_56 = _e97;
+    let _e98 = splat_of_u0028_u1_u003b((&param_56));
     i_2 = _e98;
     let _e99 = from_2;
     let _e101 = thread_2;
-    param_56 = ((_e99 + 64u) + _e101);
+    param_57 = ((_e99 + 64u) + _e101);
     let _e103 = end_1;
-    param_57 = _e103;
-    let _e104 = pair_at_u0028_u1_u003b_u1_u003b((&param_56), (&param_57));
-    param_58 = _e104;
-    let _e105 = splat_of_u0028_u1_u003b((&param_58));
+    param_58 = _e103;
+    let _e104 = pair_at_u0028_u1_u003b_u1_u003b((&param_57), (&param_58));
+    param_59 = _e104;
+    let _e105 = splat_of_u0028_u1_u003b((&param_59));
     next = _e105;
     let _e106 = from_2;
     let _e108 = thread_2;
-    param_59 = ((_e106 + 128u) + _e108);
+    param_60 = ((_e106 + 128u) + _e108);
     let _e110 = end_1;
-    param_60 = _e110;
-    let _e111 = pair_at_u0028_u1_u003b_u1_u003b((&param_59), (&param_60));
+    param_61 = _e110;
+    let _e111 = pair_at_u0028_u1_u003b_u1_u003b((&param_60), (&param_61));
     pair_1 = _e111;
     loop {
         let _e112 = from_2;
@@ -1042,28 +1051,28 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
                 let _e133 = i_2;
                 let _e134 = (*corner_1);
                 let _e136 = thread_2;
-                param_61 = _e136;
+                param_62 = _e136;
                 let _e137 = i_2;
-                param_62 = _e137;
+                param_63 = _e137;
                 let _e140 = unnamed.splats[_e133];
-                param_63 = _e140;
-                param_64 = vec2<f32>(_e134);
-                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_61), (&param_62), (&param_63), (&param_64));
+                param_64 = _e140;
+                param_65 = vec2<f32>(_e134);
+                load_u0028_u1_u003b_u1_u003b_vu4_u003b_vf2_u003b((&param_62), (&param_63), (&param_64), (&param_65));
             }
             let _e141 = i_2;
             own = _e141;
             let _e142 = next;
             i_2 = _e142;
             let _e143 = pair_1;
-            param_65 = _e143;
-            let _e144 = splat_of_u0028_u1_u003b((&param_65));
+            param_66 = _e143;
+            let _e144 = splat_of_u0028_u1_u003b((&param_66));
             next = _e144;
             let _e145 = from_2;
             let _e147 = thread_2;
-            param_66 = ((_e145 + 192u) + _e147);
+            param_67 = ((_e145 + 192u) + _e147);
             let _e149 = end_1;
-            param_67 = _e149;
-            let _e150 = pair_at_u0028_u1_u003b_u1_u003b((&param_66), (&param_67));
+            param_68 = _e149;
+            let _e150 = pair_at_u0028_u1_u003b_u1_u003b((&param_67), (&param_68));
             pair_1 = _e150;
             workgroupBarrier();
             let _e151 = workgroupUniformLoad((&batch_open));
@@ -1076,19 +1085,19 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
                 let _e156 = (*samples_3).open;
                 if ((_e153 < 2u) && _e156) {
                     let _e158 = thread_2;
-                    param_68 = _e158;
+                    param_69 = _e158;
                     let _e159 = word_4;
-                    param_69 = _e159;
-                    let _e160 = hits_of_u0028_u1_u003b_u1_u003b((&param_68), (&param_69));
+                    param_70 = _e159;
+                    let _e160 = hits_of_u0028_u1_u003b_u1_u003b((&param_69), (&param_70));
                     let _e161 = word_4;
                     let _e163 = (*samples_3);
-                    param_70 = _e163;
-                    param_71 = _e160;
-                    param_72 = (32u * _e161);
+                    param_71 = _e163;
+                    param_72 = _e160;
+                    param_73 = (32u * _e161);
                     let _e164 = (*first_4);
-                    param_73 = _e164;
-                    blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_70), (&param_71), (&param_72), (&param_73));
-                    let _e165 = param_70;
+                    param_74 = _e164;
+                    blend_hits_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_u1_u003b_vf2_u003b((&param_71), (&param_72), (&param_73), (&param_74));
+                    let _e165 = param_71;
                     (*samples_3) = _e165;
                     continue;
                 } else {
@@ -1136,7 +1145,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_9: u32;
     var param_10: vec2<u32>;
     var param_11: u32;
-    var phi_1412_: bool;
+    var phi_1430_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1183,12 +1192,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_u1_u003b((&param_10), (&param_11));
     let _e83 = settings.counted;
     let _e84 = (_e83 != 0u);
-    phi_1412_ = _e84;
+    phi_1430_ = _e84;
     if _e84 {
         let _e86 = samples.evaluated;
-        phi_1412_ = (_e86 > 0u);
+        phi_1430_ = (_e86 > 0u);
     }
-    let _e89 = phi_1412_;
+    let _e89 = phi_1430_;
     if _e89 {
         let _e93 = samples.evaluated;
         let _e94 = atomicAdd((&unnamed_4.control.fragments), _e93);

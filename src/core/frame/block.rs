@@ -6,8 +6,8 @@ use super::{
     room::Room,
     state::{AvatarInstance, Layer},
 };
-use crate::layout::{FrameBlock, POSITION_BITS, TILING, bin_side};
-use crate::scene::{Camera, camera::guard, detail};
+use crate::layout::{CenterGrids, FrameBlock, TILING, bin_side};
+use crate::scene::{Camera, detail};
 use bytemuck::{bytes_of, bytes_of_mut};
 use glam::DAffine3;
 use std::mem::offset_of;
@@ -56,7 +56,7 @@ pub fn write_shared(
     camera: &Camera,
 ) {
     let [near, far] = layer.depth_range;
-    let guard = guard(layer.size);
+    let CenterGrids { guard, steps } = CenterGrids::of(layer.size);
     let [derivative_min, derivative_max] = camera.derivative_limits();
     block.derivative_min = derivative_min.as_vec2().to_array();
     block.derivative_max = derivative_max.as_vec2().to_array();
@@ -75,7 +75,6 @@ pub fn write_shared(
     block.tile_side = TILING.tile(layer.size) as f32;
     block.bin_side = bin_side(layer.size);
     // Clip space of the quads: a splat's coordinates are in steps of 1 / `steps` px.
-    let steps = fixed_scale(guard);
     block.fixed_scale = steps as f32;
     let [x, y] = layer.size.map(|side| 2.0 / (steps * f64::from(side)));
     block.clip = [
@@ -144,13 +143,4 @@ pub fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
         map.translation,
     ];
     std::array::from_fn(|row| columns.map(|column| column[row] as f32))
-}
-
-/// Steps of a splat's fixed-point coordinate in a pixel: the largest power of two with which the
-/// image and its guard band on both sides fit into [`POSITION_BITS`].
-pub fn fixed_scale(guard: f64) -> f64 {
-    (f64::from((1 << POSITION_BITS) - 1) / (3.0 * guard))
-        .log2()
-        .floor()
-        .exp2()
 }

@@ -19,7 +19,6 @@ pub mod skip;
 pub mod state;
 pub mod validate;
 
-pub use block::fixed_scale;
 pub use changes::{ChangeTracker, Changes, Skinning};
 pub use check::Unusable;
 pub use counters::{Counters, CullReasons};

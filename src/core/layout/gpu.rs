@@ -98,8 +98,10 @@ pub const SHARED_WORKGROUP: u32 = 256;
 pub const SATURATION_REGION: u32 = 32;
 /// Invocations of a workgroup of the copy that measures bandwidth.
 pub const RATES_WORKGROUP: u32 = 64;
-/// Bits of a splat's fixed-point coordinate, which ranges from −guard to guard + size.
+/// Bits of a splat's fixed-point coordinate ([`super::CenterGrids`]).
 pub const POSITION_BITS: u32 = 20;
+/// Bits of the quotient of two neighbouring grids' steps ([`super::CenterGrids`]).
+pub const CENTER_GRID_BITS: u32 = 6;
 
 /// Vectors for network inputs in [`FrameBlock`].
 pub const INPUT_QUADS: usize = limits::MLP_INPUT / 4;
@@ -134,7 +136,7 @@ pub struct FrameBlock {
     pub derivative_max: [f32; 2],
     /// Width and height, px.
     pub size: [f32; 2],
-    /// How far outside the image a centre may lie, px.
+    /// How far outside the image the finest grid of centres reaches, px.
     pub guard: f32,
     /// Nearest depth drawn, metres.
     pub near: f32,
@@ -145,7 +147,7 @@ pub struct FrameBlock {
     pub key_scale: f32,
     /// Largest key of a depth.
     pub key_max: u32,
-    /// Steps of a splat's fixed-point coordinate in a pixel.
+    /// Steps of the finest grid of centres in a pixel.
     pub fixed_scale: f32,
     /// Gaussian positions: `position_min + step · 16-bit coordinate`, metres.
     pub position_min: [f32; 4],

@@ -8,7 +8,9 @@ use super::{
 };
 use crate::{
     avatar::limits,
-    constants::{ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX},
+    constants::{
+        ALPHA_MAX, DETAIL_COARSEST, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX,
+    },
 };
 
 /// Value of a macro.
@@ -73,6 +75,8 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("RASTER_WORKGROUP", Uint(RASTER_WORKGROUP)),
     ("RATES_WORKGROUP", Uint(RATES_WORKGROUP)),
     ("POSITION_BITS", Uint(POSITION_BITS)),
+    ("CENTER_GRID_BITS", Uint(CENTER_GRID_BITS)),
+    ("DETAIL_COARSEST", Uint(DETAIL_COARSEST)),
     ("INPUT_QUADS", Uint(INPUT_QUADS as u32)),
     ("MLP_WIDTH", Uint(limits::MLP_WIDTH as u32)),
     ("MLP_LAYERS", Uint(limits::MLP_LAYERS as u32)),

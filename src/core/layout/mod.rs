@@ -3,6 +3,7 @@
 mod balance;
 pub mod binning;
 mod bins;
+mod centers;
 pub mod compact;
 mod gpu;
 mod macros;
@@ -14,6 +15,7 @@ mod train;
 pub use balance::Balance;
 pub use binning::{TILING, TILING_WEB};
 pub use bins::{BinLayout, BinLists, bin_count, bin_side};
+pub use centers::CenterGrids;
 pub use gpu::*;
 pub use macros::{MACROS, MacroValue};
 pub use packed::{PackedModel, PackedSet};

@@ -56,13 +56,11 @@ pub struct Splat {
 pub enum Culled {
     /// Its centre is nearer than the camera's near plane, or behind the camera.
     Behind,
-    /// It is nowhere as opaque as 1/255. Checked again after [`Culled::Guard`], with the filter's
+    /// It is nowhere as opaque as 1/255. Checked again after [`Culled::Invalid`], with the filter's
     /// compensation.
     Faint,
     /// A number of it is NaN or infinite, or its variance is above [`constants::VARIANCE_MAX`].
     Invalid,
-    /// Its centre is further from the image than [`Camera::guard`].
-    Guard,
     /// The box around its ellipse misses the image.
     Outside,
 }
@@ -251,11 +249,6 @@ fn projected(
         return Err(Culled::Invalid);
     }
     let size = DVec2::from(camera.size.map(f64::from));
-    if (center + camera.guard()).min_element() < 0.0
-        || (size + camera.guard() - center).min_element() < 0.0
-    {
-        return Err(Culled::Guard);
-    }
     // What a level enlarges covariances by leaves the ratio of their determinants as it is.
     let opacity = opacity * low_pass.opacity_factor(footprint.unfiltered, footprint.determinant);
     let sigmas = radius_in_sigmas(opacity).ok_or(Culled::Faint)?;

@@ -130,17 +130,6 @@ impl Camera {
             (size - self.center) / self.focal + margin,
         ]
     }
-
-    /// Width of the guard band around the image, px: its longer side. A Gaussian whose centre lies
-    /// further outside is culled, since splats' centres are fixed-point numbers of that range.
-    pub fn guard(&self) -> f64 {
-        guard(self.size)
-    }
-}
-
-/// [`Camera::guard`] of an image of a width and height, px.
-pub fn guard(size: [u32; 2]) -> f64 {
-    f64::from(size[0].max(size[1]))
 }
 
 #[cfg(test)]

@@ -8,10 +8,10 @@
 //! low-pass makes an image of all Gaussians that is further from the average over each pixel than
 //! one of an eighth of them.
 
+pub use crate::constants::DETAIL_COARSEST as COARSEST;
+
 use std::{fmt, str::FromStr};
 
-/// The coarsest level: one Gaussian in eight.
-pub const COARSEST: u32 = 3;
 /// Exponent by which a Gaussian's area grows with the number that it represents, chosen so that the
 /// image is nearest to that of all Gaussians.
 pub const GROWTH: f64 = 0.18;

@@ -182,11 +182,11 @@ impl ViewBlock {
             low_pass: floats([
                 topology.filter.variance,
                 f64::from(u8::from(topology.filter.compensated)),
-                camera.guard(),
                 match topology.activation {
                     Activation::Relu => 0.0,
                     Activation::LeakyRelu => LEAKY_SLOPE,
                 },
+                0.0,
             ]),
             loss_weights: floats([
                 weights.l1 / (channels * views),

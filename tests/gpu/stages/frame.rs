@@ -1,6 +1,13 @@
 //! Whole frames on the device against the reference, as images.
 
-use crate::common::{self, Sizes, gpu};
+use crate::common::{
+    self, Sizes,
+    gpu::{
+        self,
+        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+    },
+    wide,
+};
 use effigy::vulkan::{
     Error, Gpu, GpuOptions, PreparedAvatar, Renderer, RendererOptions,
     raster::{ColorFormat, RasterMethod, TileKernel},
@@ -187,6 +194,17 @@ fn an_avatar_takes_the_place_of_another() {
     }
 }
 
+fn wide_splats_show_from_far_outside_the_image(raster: Raster) {
+    let device = gpu::gpu();
+    let (avatar, posed) = wide::avatar();
+    let options = raster.options(&device.probe.name, wide::camera(1.0).size);
+    let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+    wide::check(|camera| {
+        renderer.draw(&posed, camera, None).unwrap();
+        renderer.read_image().unwrap()
+    });
+}
+
 tests! {
     an_avatar_takes_the_place_of_another,
     an_image_is_read_after_a_frame_and_not_before,
@@ -194,4 +212,8 @@ tests! {
     filters_draw_the_references_image,
     floating_point_images_agree_with_the_reference,
     a_baseline_device_draws_within_the_error_budget,
+    wide_splats_show_from_far_outside_the_image[Quads],
+    wide_splats_show_from_far_outside_the_image[TestedQuads],
+    wide_splats_show_from_far_outside_the_image[Tiles],
+    wide_splats_show_from_far_outside_the_image[SharedTiles],
 }

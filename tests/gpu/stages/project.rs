@@ -5,9 +5,9 @@ use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::{CullReasons, KeyBits, Skip, fixed_scale},
+    frame::{CullReasons, KeyBits, Skip},
     io::pack::PackQuality,
-    layout::{POSITION_BITS, PROJECT_WORKGROUPS, SORT_CULLED, compact::NodeBits},
+    layout::{CenterGrids, POSITION_BITS, PROJECT_WORKGROUPS, SORT_CULLED, compact::NodeBits},
     reference::{Culled, Gaussian, Splat},
     scene::{Camera, Posed, detail},
 };
@@ -23,10 +23,7 @@ struct Unpacked {
 }
 
 fn unpack(words: [u32; 4], camera: &Camera) -> Unpacked {
-    let mask = (1 << POSITION_BITS) - 1;
-    let center = DVec2::new(f64::from(words[0] & mask), f64::from(words[1] & mask))
-        / fixed_scale(camera.guard())
-        - camera.guard();
+    let center = CenterGrids::of(camera.size).center(words);
     let half = |bits: u32| f16::from_bits(bits as u16).to_f64();
     let (axis, shorter) = (
         DVec2::new(half(words[2] & 0xffff), half(words[2] >> 16)),
@@ -131,7 +128,8 @@ fn error(got: &Unpacked, expected: &Splat, step: f64, filter: Filter, tolerance:
         .fold(0.0, f64::max);
     [
         // Half a step of the fixed-point coordinate, and f32's arithmetic.
-        got.center.distance(expected.center) / (0.75 * step + 1e-3 + tolerance.center),
+        got.center.distance(expected.center)
+            / (0.75 * step + 1e-3 + 1e-6 * expected.center.length() + tolerance.center),
         // f16 axes: 2⁻¹¹ of each, doubled by squaring.
         difference / (2e-3 * size + tolerance.axes * (2.0 * size.sqrt() + tolerance.axes)),
         (got.opacity - expected.opacity).abs() / opacity_tolerance(filter, tolerance),
@@ -177,7 +175,7 @@ fn check(frame: &gpu::Frame) {
 }
 
 fn check_all(frame: &gpu::Frame, cached: bool) {
-    let step = 1.0 / fixed_scale(frame.camera.guard());
+    let grids = CenterGrids::of(frame.camera.size);
     for (at, expected) in frame.reference.splats.iter().enumerate() {
         let drawn = frame.gpu.keys[at] != SORT_CULLED;
         match expected {
@@ -185,6 +183,8 @@ fn check_all(frame: &gpu::Frame, cached: bool) {
             Ok(expected) if !drawn && may_fade(frame, at, expected, cached) => {}
             Ok(expected) => {
                 assert!(drawn, "Gaussian {at} was culled, expected {expected:?}");
+                // Rounding may decide which of two grids it is on.
+                let step = grids.coarseness(1.001 * expected.center) / grids.steps;
                 let error = error(
                     &unpack(frame.gpu.splats[at], &frame.camera),
                     expected,
@@ -215,8 +215,8 @@ fn check_all(frame: &gpu::Frame, cached: bool) {
 }
 
 /// Every Gaussian that is not drawn is counted once, for the reference's reason but for those that
-/// are too faint: whether their centres are anywhere near the image is looked at before. The pose
-/// cache does not say why something has no shape.
+/// are too faint and whose centre is outside the image: whether they miss it may be looked at
+/// before. The pose cache does not say why something has no shape.
 fn check_reasons(frame: &gpu::Frame, cached: bool) {
     let counters = &frame.report.counters;
     let Some(got) = counters.reasons else { return };
@@ -238,12 +238,14 @@ fn check_reasons(frame: &gpu::Frame, cached: bool) {
         .zip(&frame.reference.gaussians)
         .filter_map(|(splat, gaussian)| Some((splat.as_ref().err()?, gaussian)));
     let mut expected = CullReasons::default();
+    let mut either = 0;
     for (reason, gaussian) in culled {
         let count = match reason {
-            Culled::Faint if near_the_image(gaussian, &frame.camera) => &mut expected.faint,
-            Culled::Behind | Culled::Guard | Culled::Outside | Culled::Faint => {
-                &mut expected.outside
+            Culled::Faint => {
+                either += u64::from(!is_inside(gaussian, &frame.camera));
+                &mut expected.faint
             }
+            Culled::Behind | Culled::Outside => &mut expected.outside,
             Culled::Invalid => &mut expected.degenerate,
         };
         *count += 1;
@@ -254,7 +256,8 @@ fn check_reasons(frame: &gpu::Frame, cached: bool) {
             let may_fade = splat.as_ref().is_ok_and(|s| may_fade(frame, at, s, false));
             may_fade || close_call(frame, at, false)
         })
-        .count() as u64;
+        .count() as u64
+        + either;
     for (got, expected) in [
         (got.outside, expected.outside),
         (got.degenerate, expected.degenerate),
@@ -267,10 +270,10 @@ fn check_reasons(frame: &gpu::Frame, cached: bool) {
     }
 }
 
-fn near_the_image(gaussian: &Gaussian, camera: &Camera) -> bool {
+/// Whether a Gaussian's centre is in the image.
+fn is_inside(gaussian: &Gaussian, camera: &Camera) -> bool {
     let at = camera.project(camera.view.transform_point3(gaussian.mean));
-    let size = DVec2::from(camera.size.map(f64::from));
-    (at + camera.guard()).min_element() >= 0.0 && (size + camera.guard() - at).min_element() >= 0.0
+    at.cmpge(DVec2::ZERO).all() && at.cmple(DVec2::from(camera.size.map(f64::from))).all()
 }
 
 /// Avatars are drawn wherever they are. Of every other seed nothing is left out as a whole, and all
@@ -597,12 +600,7 @@ fn each_reason_to_cull_occurs_in_the_adversarial_frames() {
         let camera = Camera::orbit((min + max) / 2.0, 0.3, 0.1, distance, fov, [300, 200]);
         effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera).splats
     });
-    for reason in [
-        Culled::Behind,
-        Culled::Faint,
-        Culled::Guard,
-        Culled::Outside,
-    ] {
+    for reason in [Culled::Behind, Culled::Faint, Culled::Outside] {
         assert!(
             seen.iter()
                 .flatten()

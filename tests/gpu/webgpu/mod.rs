@@ -10,6 +10,7 @@ use crate::{
             self,
             Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
         },
+        wide,
     },
     stages::{
         raster::{avatar_in_bins, check_bins, views_of_bins},
@@ -82,6 +83,18 @@ fn images_agree_with_the_reference(raster: Raster) {
             error.covered
         );
     }
+    device.check().unwrap();
+}
+
+fn wide_splats_show_from_far_outside_the_image(raster: Raster) {
+    let device = open();
+    let (avatar, posed) = wide::avatar();
+    let options = raster.options(device.name(), wide::camera(1.0).size);
+    let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+    wide::check(|camera| {
+        renderer.draw(&posed, camera).unwrap();
+        renderer.read_image().unwrap()
+    });
     device.check().unwrap();
 }
 
@@ -749,6 +762,10 @@ tests! {
     images_agree_with_the_reference[SharedTiles],
     filters_draw_the_references_image[Quads],
     filters_draw_the_references_image[Tiles],
+    wide_splats_show_from_far_outside_the_image[Quads],
+    wide_splats_show_from_far_outside_the_image[Tiles],
+    wide_splats_show_from_far_outside_the_image[TestedQuads],
+    wide_splats_show_from_far_outside_the_image[SharedTiles],
     images_agree_with_the_vulkan_backend[Quads],
     images_agree_with_the_vulkan_backend[Tiles],
     images_agree_with_the_vulkan_backend[TestedQuads],

@@ -14,8 +14,8 @@ use super::{
 use effigy_core::{
     avatar::{Avatar, LowPass},
     constants::{ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX},
-    frame::{Skip, fixed_scale, pose_cache::PoseCache},
-    layout::compact::Neutral,
+    frame::{Skip, pose_cache::PoseCache},
+    layout::{CenterGrids, compact::Neutral},
     reference::{Gaussian, Splat, project},
     scene::{AvatarBounds, Camera, PartSet, Posed},
 };
@@ -446,16 +446,8 @@ impl SplatInput<'_> {
         let relative_z = e.z / (t.z - e.z) + 6.0 * F32;
         let slope_error = (e.truncate() + slope.abs() * e.z) / (t.z - e.z);
         let size = DVec2::from(camera.size.map(f64::from));
-        let guard = camera.guard();
         let projected = camera.focal.abs() * slope_error
             + 4.0 * F32 * ((center - camera.center).abs() + camera.center.abs());
-
-        // A device culls by the centre before it rounds it.
-        let outside = (-center - guard).max(center - size - guard);
-        if (outside - projected).max_element() > 0.0 {
-            return false;
-        }
-        splat.may_vanish |= (outside + projected).max_element() >= 0.0;
 
         let [min, max] = self.limits;
         let clamped = slope.clamp(min, max);
@@ -515,18 +507,24 @@ impl SplatInput<'_> {
             2.0 * (d.x * d.y).abs() * F16 + (F16_NORMAL / splat.longer).min(d.abs().min_element());
         splat.turn_f32 = SHAPE_ROUNDINGS * F32 * (a + c) / (2.0 * root).max(f64::MIN_POSITIVE);
         // The centre is rounded to a grid: it is known exactly unless rounding may go either way.
-        let scale = fixed_scale(guard);
-        let step = |by: f64| {
-            let slack = by * (projected + FIXED_SLACK / scale);
-            ((center + guard + slack) * scale).round() / scale - guard
-        };
-        let [low, high] = [step(-1.0), step(1.0)];
+        let grids = CenterGrids::of(camera.size);
+        let slack = projected + FIXED_SLACK / grids.steps * grids.coarseness(center);
+        let [low, high] = [grids.round(center - slack), grids.round(center + slack)];
         splat.center = 0.5 * (low + high);
         splat.shift = 0.5 * (high - low);
+        let coarsest = grids
+            .coarseness(center - slack)
+            .max(grids.coarseness(center + slack));
+        if coarsest != grids.coarseness(center) {
+            // Which of two grids is uncertain too.
+            splat.shift += coarsest / grids.steps;
+        }
         let opaque = (2.0 * 255f64.ln()).sqrt();
         if rounding.quads() {
             // Corners in clip space and on the grid of the rasterizer.
-            let far = size.max_element() + guard + opaque * splat.longer.min(F16_MAX);
+            let far = size.max_element()
+                + center.abs().max_element()
+                + opaque * splat.longer.min(F16_MAX);
             splat.shift += rounding.snap + 6.0 * F32 * far;
             splat.evaluated_from = far;
             splat.varying = rounding.varying * opaque;
