@@ -3,6 +3,7 @@
 // an invocation a node. Weights stream through once; activations stay in shared memory, sums are
 // f32.
 #include "common/frame.glsl"
+#include "common/opaque.glsl"
 
 layout(local_size_x = MLP_WORKGROUP) in;
 #ifdef BYTE_WEIGHTS
@@ -52,7 +53,7 @@ void move_nodes(uint part, uint e) {
     uint first = node_starts[part] + gl_LocalInvocationID.x;
     for (uint node = first; node < node_starts[part + 1u]; node += MLP_WORKGROUP) {
         vec3 moved = vec3(0.0);
-        for (uint b = 0u; b < frame.basis_quads; ++b) {
+        for (uint b = 0u; b < opaque_end(frame.basis_quads, first); ++b) {
             uint at = e + 4u * b;
             vec4 x = activations_at(at);
             for (uint k = 0u; k < 3u; ++k) {
@@ -79,11 +80,12 @@ void main() {
     uint block = part * frame.network_quads;
     uint input_start = part < frame.head_parts ? 0u : INPUT_QUADS;
     uint input_quads = part < frame.head_parts ? frame.layer[0].input_quads : frame.body_quads;
-    for (uint l = 0u; l < frame.layers; ++l) {
+    uint layers = opaque_end(frame.layers, node_starts[part]);
+    for (uint l = 0u; l < layers; ++l) {
         Layer layer = frame.layer[l];
         uint source = (l & 1u) * MLP_WIDTH;
         uint target = MLP_WIDTH - source;
-        bool last = l + 1u == frame.layers;
+        bool last = l + 1u == layers;
         for (uint o = gl_LocalInvocationID.x; o < layer.output_count; o += MLP_WORKGROUP) {
             float sum = initial_sum(block + layer.bias, o);
             uint weight = block + layer.weight + o;

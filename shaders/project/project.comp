@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "common/platform.glsl"
 #include "common/frame.glsl"
+#include "common/opaque.glsl"
 #include "common/splat.glsl"
 #include "common/depth_key.glsl"
 #include "common/gaussian.glsl"
@@ -28,7 +29,7 @@ float scale_of(uint head) { return 127.0 * unpackHalf2x16(head).x; }
 
 // Products of three or four neighbouring basis rows with their part's features.
 vec3 row_dot3(uint head, uint at) {
-    uint feature = feature_of(head), quads = frame.basis_quads;
+    uint feature = feature_of(head), quads = opaque_end(frame.basis_quads, head);
     vec3 sum = vec3(0.0);
     uint b = 0u;
     do {
@@ -41,7 +42,7 @@ vec3 row_dot3(uint head, uint at) {
 }
 
 vec4 row_dot4(uint head, uint at) {
-    uint feature = feature_of(head), quads = frame.basis_quads;
+    uint feature = feature_of(head), quads = opaque_end(frame.basis_quads, head);
     vec4 sum = vec4(0.0);
     uint b = 0u;
     do {
@@ -153,7 +154,8 @@ uint project_gaussian(uint index) {
     }
     vec4 rotation = gaussian_rotation(appearance.x);
     vec3 color = unpackUnorm4x8(appearance.y).rgb;
-    if (frame.sh_color_start > 0u) {
+    // The colours' plane begins behind all others, if there is one.
+    if (frame.sh_color_start > i) {
         uvec2 sh_color = gaussians[frame.sh_color_start + i];
         color = vec3(unpackHalf2x16(sh_color.x), unpackHalf2x16(sh_color.y).x);
     }

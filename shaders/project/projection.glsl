@@ -1,8 +1,9 @@
 // From a Gaussian in the camera's space to a splat and its key: culling and projection (model.md,
 // step 8). The including shader declares `words`, the splats' buffer: four words a Gaussian, then
-// from frame.key_start on the keys, two a word if frame.half_keys is set, then from
-// frame.count_start on the sort's first counts.
+// from frame.key_start on the keys, two a word with HALF_KEYS, then from frame.count_start on the
+// sort's first counts.
 #ifdef WEB
+const bool HALF_KEYS = true;
 // In WGSL all accesses to an array with atomics are atomic, so the counts have a buffer of their
 // own.
 layout(std430, set = 0, binding = 6) buffer Counts { uint counts[]; };
@@ -11,6 +12,7 @@ const uint COUNTS_AT = 0u;
 #else
 #define COUNTS words
 PARAMETER(2, uint, COUNTS_AT, 0u)
+PARAMETER(4, bool, HALF_KEYS, false)
 #endif
 #define FIRST_COUNTS COUNTS
 #define FIRST_COUNTS_AT frame.count_start
@@ -56,8 +58,7 @@ bool misses_area(vec3 p, vec2 center, mat3 rows, float deviation) {
 }
 
 // Opacity, of 255, of a Gaussian that also stands for those that the level of detail skips. The
-// number of rounds is not the block's: Mesa 22 compiles a kernel again for each frame if a loop ends
-// at a number that it finds there.
+// number of rounds is not the block's (common/opaque.glsl).
 uint detail_opacity(uint opacity) {
     float through = 1.0 - float(opacity) / 255.0;
     for (uint level = 0u; level < DETAIL_COARSEST; ++level) {
@@ -86,14 +87,12 @@ uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axe
         return SORT_CULLED;
     }
     opacity = detail_opacity(opacity);
-    if (frame.compensation > 0.0) {
-        float kept = sqrt(unfiltered / determinant);
-        kept = (1.0 - frame.compensation) + frame.compensation * kept;
-        opacity = uint(round(float(opacity) * kept));
-        if (float(opacity) <= frame.cutoff) {
-            count_culled(FAINT);
-            return SORT_CULLED;
-        }
+    float kept = sqrt(unfiltered / determinant);
+    kept = (1.0 - frame.compensation) + frame.compensation * kept;
+    opacity = uint(round(float(opacity) * kept));
+    if (float(opacity) <= frame.cutoff) {
+        count_culled(FAINT);
+        return SORT_CULLED;
     }
     covariance *= frame.covariance_scale;
     determinant *= frame.covariance_scale * frame.covariance_scale;
@@ -119,7 +118,7 @@ void write_key(uint index, uint key) {
     uint invocation = gl_LocalInvocationID.x;
     uint at = frame.first_splat + index;
     count_first_digit(key, key != SORT_CULLED, at);
-    if (frame.half_keys == 0u) {
+    if (!HALF_KEYS) {
         // Padded to an even number: the two keys of a word belong to one avatar.
         if (index < frame.drawn + (frame.drawn & 1u)) {
             words[frame.key_start + at] = key;

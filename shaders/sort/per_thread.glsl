@@ -5,16 +5,14 @@
 // The counters are in a storage buffer, on a CPU as near as shared memory: browsers fill shared
 // memory with zeros, and SwiftShader compiles a store for every word of it. And the kernel that
 // moves entries finds there what the one that counts has left.
+#include "common/opaque.glsl"
+
 const uint COUNTERS_PER_TILE = SORT_DIGITS * (SORT_RUNS + 1u);
 
 // Index of an invocation's counter of a digit. Each tile has a row of counters, then its offsets.
 uint counter(uint digit, uint run) {
     return COUNTERS_START + gl_WorkGroupID.x * COUNTERS_PER_TILE + digit * SORT_RUNS + run;
 }
-
-// A loop's end that compilers do not know. They would unroll the loop, and llvmpipe would take ten
-// seconds to compile the kernel. `any`: any number.
-uint opaque_end(uint end, uint any) { return min(end, any | end); }
 
 void count_run(uint run, uint tile, uint end) {
     for (uint digit = 0u; digit < SORT_DIGITS; ++digit) {

@@ -107,19 +107,18 @@ var<storage, read_write> global_5: type_28;
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: vec3<f32>;
     var local_1: vec4<f32>;
-    var phi_782_: u32;
-    var phi_783_: u32;
-    var phi_790_: u32;
-    var phi_794_: f32;
-    var phi_793_: u32;
-    var phi_802_: vec4<f32>;
+    var phi_823_: u32;
+    var phi_824_: u32;
+    var phi_831_: u32;
+    var phi_835_: f32;
+    var phi_834_: u32;
+    var phi_843_: vec4<f32>;
     var local_2: f32;
+    var phi_825_: u32;
+    var phi_826_: u32;
+    var phi_828_: u32;
     var local_3: u32;
-    var phi_784_: u32;
-    var phi_785_: u32;
-    var phi_787_: u32;
-    var local_4: u32;
-    var local_5: f32;
+    var local_4: f32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -134,81 +133,82 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             let _e51 = (_e31 < _e50);
             if _e51 {
                 let _e56 = global_3.member_56[0i].member;
-                phi_782_ = _e56;
+                phi_823_ = _e56;
             } else {
                 let _e58 = global_3.member_31;
-                phi_782_ = _e58;
+                phi_823_ = _e58;
             }
-            let _e60 = phi_782_;
-            phi_783_ = 0u;
+            let _e60 = phi_823_;
+            let _e62 = global_3.member_26;
+            let _e65 = global_2.member[_e31];
+            let _e67 = min(_e62, (_e65 | _e62));
+            phi_824_ = 0u;
             loop {
-                let _e62 = phi_783_;
-                let _e64 = global_3.member_26;
-                local_3 = _e64;
-                if (_e62 < _e64) {
-                    let _e68 = global_3.member_56[_e62];
-                    let _e74 = ((_e62 & 1u) * 128u);
-                    let _e75 = (128u - _e74);
-                    phi_790_ = bitcast<u32>(param[0u]);
+                let _e69 = phi_824_;
+                if (_e69 < _e67) {
+                    let _e73 = global_3.member_56[_e69];
+                    let _e79 = ((_e69 & 1u) * 128u);
+                    let _e80 = (128u - _e79);
+                    phi_831_ = bitcast<u32>(param[0u]);
                     loop {
-                        let _e81 = phi_790_;
-                        if (_e81 < _e68.member_1) {
-                            let _e89 = global.member[((_e48 + _e68.member_3) + (_e81 >> bitcast<u32>(2u)))];
-                            let _e91 = unpack2x16float(_e89.x);
-                            let _e93 = unpack2x16float(_e89.y);
-                            local_1 = vec4<f32>(_e91.x, _e91.y, _e93.x, _e93.y);
-                            let _e101 = local_1[(_e81 & 3u)];
-                            let _e104 = (_e62 == 0u);
-                            phi_794_ = _e101;
-                            phi_793_ = 0u;
+                        let _e86 = phi_831_;
+                        if (_e86 < _e73.member_1) {
+                            let _e94 = global.member[((_e48 + _e73.member_3) + (_e86 >> bitcast<u32>(2u)))];
+                            let _e96 = unpack2x16float(_e94.x);
+                            let _e98 = unpack2x16float(_e94.y);
+                            local_1 = vec4<f32>(_e96.x, _e96.y, _e98.x, _e98.y);
+                            let _e106 = local_1[(_e86 & 3u)];
+                            let _e109 = (_e69 == 0u);
+                            phi_835_ = _e106;
+                            phi_834_ = 0u;
                             loop {
-                                let _e107 = phi_794_;
-                                let _e109 = phi_793_;
-                                local_2 = _e107;
-                                if (_e109 < select(_e68.member, _e60, _e104)) {
-                                    if _e104 {
-                                        let _e114 = global_3.member_57[(select(64u, 0u, _e51) + _e109)];
-                                        phi_802_ = _e114;
+                                let _e112 = phi_835_;
+                                let _e114 = phi_834_;
+                                local_2 = _e112;
+                                if (_e114 < select(_e73.member, _e60, _e109)) {
+                                    if _e109 {
+                                        let _e119 = global_3.member_57[(select(64u, 0u, _e51) + _e114)];
+                                        phi_843_ = _e119;
                                     } else {
-                                        let _e116 = (_e74 + (4u * _e109));
-                                        let _e118 = global_1[_e116];
-                                        let _e121 = global_1[(_e116 + 1u)];
-                                        let _e124 = global_1[(_e116 + 2u)];
-                                        let _e127 = global_1[(_e116 + 3u)];
-                                        phi_802_ = vec4<f32>(_e118, _e121, _e124, _e127);
+                                        let _e121 = (_e79 + (4u * _e114));
+                                        let _e123 = global_1[_e121];
+                                        let _e126 = global_1[(_e121 + 1u)];
+                                        let _e129 = global_1[(_e121 + 2u)];
+                                        let _e132 = global_1[(_e121 + 3u)];
+                                        phi_843_ = vec4<f32>(_e123, _e126, _e129, _e132);
                                     }
-                                    let _e130 = phi_802_;
-                                    let _e135 = global.member[(((_e48 + _e68.member_2) + _e81) + (_e109 * _e68.member_1))];
-                                    let _e137 = unpack2x16float(_e135.x);
-                                    let _e139 = unpack2x16float(_e135.y);
-                                    local_5 = (_e107 + dot(vec4<f32>(_e137.x, _e137.y, _e139.x, _e139.y), _e130));
+                                    let _e135 = phi_843_;
+                                    let _e140 = global.member[(((_e48 + _e73.member_2) + _e86) + (_e114 * _e73.member_1))];
+                                    let _e142 = unpack2x16float(_e140.x);
+                                    let _e144 = unpack2x16float(_e140.y);
+                                    local_4 = (_e112 + dot(vec4<f32>(_e142.x, _e142.y, _e144.x, _e144.y), _e135));
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e283 = local_5;
-                                    phi_794_ = _e283;
-                                    phi_793_ = (_e109 + bitcast<u32>(1i));
+                                    let _e285 = local_4;
+                                    phi_835_ = _e285;
+                                    phi_834_ = (_e114 + bitcast<u32>(1i));
                                 }
                             }
-                            let _e150 = local_2;
-                            let _e151 = clamp(_e150, -65504f, 65504f);
-                            if ((_e62 + 1u) == _e64) {
-                                let _e153 = global_3.member_40;
-                                let _e155 = global_3.member_19;
-                                global_5.member[((4u * (_e153 + (_e31 * _e155))) + _e81)] = bitcast<u32>(_e151);
-                                global_1[(_e75 + _e81)] = _e151;
+                            let _e155 = local_2;
+                            let _e156 = clamp(_e155, -65504f, 65504f);
+                            if ((_e69 + 1u) == _e67) {
+                                let _e158 = global_3.member_40;
+                                let _e160 = global_3.member_19;
+                                global_5.member[((4u * (_e158 + (_e31 * _e160))) + _e86)] = bitcast<u32>(_e156);
+                                global_1[(_e80 + _e86)] = _e156;
                             } else {
-                                let _e167 = global_3.member_25;
-                                global_1[(_e75 + _e81)] = max(_e151, (_e167 * _e151));
+                                let _e172 = global_3.member_25;
+                                global_1[(_e80 + _e86)] = max(_e156, (_e172 * _e156));
                             }
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_790_ = (_e81 + 64u);
+                            phi_831_ = (_e86 + 64u);
                         }
                     }
                     workgroupBarrier();
@@ -217,43 +217,42 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_783_ = (_e62 + bitcast<u32>(1i));
+                    phi_824_ = (_e69 + bitcast<u32>(1i));
                 }
             }
-            let _e175 = local_3;
-            let _e179 = global_3.member_20;
-            let _e184 = global_2.member[_e31];
-            phi_784_ = (_e184 + bitcast<u32>(param[0u]));
+            let _e182 = global_3.member_20;
+            let _e187 = (_e65 + bitcast<u32>(param[0u]));
+            phi_825_ = _e187;
             loop {
-                let _e189 = phi_784_;
+                let _e189 = phi_825_;
                 let _e193 = global_2.member[(_e31 + 1u)];
                 if (_e189 < _e193) {
                     local = vec3<f32>(0f, 0f, 0f);
-                    phi_785_ = 0u;
+                    phi_826_ = 0u;
                     loop {
-                        let _e196 = phi_785_;
+                        let _e196 = phi_826_;
                         let _e198 = global_3.member_18;
-                        local_4 = _e198;
-                        if (_e196 < _e198) {
-                            let _e201 = ((((_e175 & 1u) * 128u) + (4u * _e179)) + (4u * _e196));
-                            let _e203 = global_1[_e201];
-                            let _e206 = global_1[(_e201 + 1u)];
-                            let _e209 = global_1[(_e201 + 2u)];
-                            let _e212 = global_1[(_e201 + 3u)];
-                            phi_787_ = 0u;
+                        local_3 = _e198;
+                        if (_e196 < min(_e198, (_e187 | _e198))) {
+                            let _e203 = ((((_e62 & 1u) * 128u) + (4u * _e182)) + (4u * _e196));
+                            let _e205 = global_1[_e203];
+                            let _e208 = global_1[(_e203 + 1u)];
+                            let _e211 = global_1[(_e203 + 2u)];
+                            let _e214 = global_1[(_e203 + 3u)];
+                            phi_828_ = 0u;
                             loop {
-                                let _e215 = phi_787_;
-                                if (_e215 < 3u) {
+                                let _e217 = phi_828_;
+                                if (_e217 < 3u) {
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e220 = global_3.member_15;
-                                    let _e225 = global_4.member[((((_e215 * _e198) + _e196) * _e220) + _e189)];
-                                    let _e229 = local[_e215];
-                                    local[_e215] = (_e229 + dot(unpack4x8snorm(_e225), vec4<f32>(_e203, _e206, _e209, _e212)));
-                                    phi_787_ = (_e215 + bitcast<u32>(1i));
+                                    let _e222 = global_3.member_15;
+                                    let _e227 = global_4.member[((((_e217 * _e198) + _e196) * _e222) + _e189)];
+                                    let _e231 = local[_e217];
+                                    local[_e217] = (_e231 + dot(unpack4x8snorm(_e227), vec4<f32>(_e205, _e208, _e211, _e214)));
+                                    phi_828_ = (_e217 + bitcast<u32>(1i));
                                 }
                             }
                             continue;
@@ -261,31 +260,31 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             break;
                         }
                         continuing {
-                            phi_785_ = (_e196 + bitcast<u32>(1i));
+                            phi_826_ = (_e196 + bitcast<u32>(1i));
                         }
                     }
-                    let _e236 = local_4;
-                    let _e239 = global_3.member_15;
-                    let _e241 = (2u * _e189);
-                    let _e242 = (((3u * _e236) * _e239) + _e241);
-                    let _e246 = global_4.member[(_e242 + 1u)];
-                    let _e247 = unpack2x16float(_e246);
-                    let _e250 = global_4.member[_e242];
-                    let _e251 = unpack2x16float(_e250);
-                    let _e258 = local;
-                    let _e261 = clamp((vec3<f32>(_e251.x, _e251.y, _e247.x) + (_e258 * (127f * _e247.y))), vec3<f32>(-65504f, -65504f, -65504f), vec3<f32>(65504f, 65504f, 65504f));
-                    local = _e261;
-                    let _e263 = global_3.member_21;
-                    let _e265 = ((4u * _e263) + _e241);
-                    global_5.member[_e265] = pack2x16float(_e261.xy);
-                    let _e272 = local[2u];
-                    global_5.member[(_e265 + 1u)] = pack2x16float(vec2<f32>(_e272, 0f));
+                    let _e238 = local_3;
+                    let _e241 = global_3.member_15;
+                    let _e243 = (2u * _e189);
+                    let _e244 = (((3u * _e238) * _e241) + _e243);
+                    let _e248 = global_4.member[(_e244 + 1u)];
+                    let _e249 = unpack2x16float(_e248);
+                    let _e252 = global_4.member[_e244];
+                    let _e253 = unpack2x16float(_e252);
+                    let _e260 = local;
+                    let _e263 = clamp((vec3<f32>(_e253.x, _e253.y, _e249.x) + (_e260 * (127f * _e249.y))), vec3<f32>(-65504f, -65504f, -65504f), vec3<f32>(65504f, 65504f, 65504f));
+                    local = _e263;
+                    let _e265 = global_3.member_21;
+                    let _e267 = ((4u * _e265) + _e243);
+                    global_5.member[_e267] = pack2x16float(_e263.xy);
+                    let _e274 = local[2u];
+                    global_5.member[(_e267 + 1u)] = pack2x16float(vec2<f32>(_e274, 0f));
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_784_ = (_e189 + 64u);
+                    phi_825_ = (_e189 + 64u);
                 }
             }
             break;

@@ -102,19 +102,18 @@ var<storage, read_write> global_5: type_25;
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: vec3<f32>;
-    var phi_734_: u32;
-    var phi_735_: u32;
-    var phi_742_: u32;
-    var phi_748_: f32;
-    var phi_745_: u32;
-    var phi_754_: vec4<f32>;
+    var phi_775_: u32;
+    var phi_776_: u32;
+    var phi_783_: u32;
+    var phi_789_: f32;
+    var phi_786_: u32;
+    var phi_795_: vec4<f32>;
     var local_1: f32;
+    var phi_777_: u32;
+    var phi_778_: u32;
+    var phi_780_: u32;
     var local_2: u32;
-    var phi_736_: u32;
-    var phi_737_: u32;
-    var phi_739_: u32;
-    var local_3: u32;
-    var local_4: f32;
+    var local_3: f32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -129,76 +128,77 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             let _e50 = (_e30 < _e49);
             if _e50 {
                 let _e55 = global_3.member_56[0i].member;
-                phi_734_ = _e55;
+                phi_775_ = _e55;
             } else {
                 let _e57 = global_3.member_31;
-                phi_734_ = _e57;
+                phi_775_ = _e57;
             }
-            let _e59 = phi_734_;
-            phi_735_ = 0u;
+            let _e59 = phi_775_;
+            let _e61 = global_3.member_26;
+            let _e64 = global_2.member[_e30];
+            let _e66 = min(_e61, (_e64 | _e61));
+            phi_776_ = 0u;
             loop {
-                let _e61 = phi_735_;
-                let _e63 = global_3.member_26;
-                local_2 = _e63;
-                if (_e61 < _e63) {
-                    let _e67 = global_3.member_56[_e61];
-                    let _e73 = ((_e61 & 1u) * 128u);
-                    let _e74 = (128u - _e73);
-                    phi_742_ = bitcast<u32>(param[0u]);
+                let _e68 = phi_776_;
+                if (_e68 < _e66) {
+                    let _e72 = global_3.member_56[_e68];
+                    let _e78 = ((_e68 & 1u) * 128u);
+                    let _e79 = (128u - _e78);
+                    phi_783_ = bitcast<u32>(param[0u]);
                     loop {
-                        let _e80 = phi_742_;
-                        if (_e80 < _e67.member_1) {
-                            let _e84 = (_e61 == 0u);
-                            phi_748_ = 0f;
-                            phi_745_ = 0u;
+                        let _e85 = phi_783_;
+                        if (_e85 < _e72.member_1) {
+                            let _e89 = (_e68 == 0u);
+                            phi_789_ = 0f;
+                            phi_786_ = 0u;
                             loop {
-                                let _e87 = phi_748_;
-                                let _e89 = phi_745_;
-                                local_1 = _e87;
-                                if (_e89 < select(_e67.member, _e59, _e84)) {
-                                    if _e84 {
-                                        let _e94 = global_3.member_57[(select(64u, 0u, _e50) + _e89)];
-                                        phi_754_ = _e94;
+                                let _e92 = phi_789_;
+                                let _e94 = phi_786_;
+                                local_1 = _e92;
+                                if (_e94 < select(_e72.member, _e59, _e89)) {
+                                    if _e89 {
+                                        let _e99 = global_3.member_57[(select(64u, 0u, _e50) + _e94)];
+                                        phi_795_ = _e99;
                                     } else {
-                                        let _e96 = (_e73 + (4u * _e89));
-                                        let _e98 = global_1[_e96];
-                                        let _e101 = global_1[(_e96 + 1u)];
-                                        let _e104 = global_1[(_e96 + 2u)];
-                                        let _e107 = global_1[(_e96 + 3u)];
-                                        phi_754_ = vec4<f32>(_e98, _e101, _e104, _e107);
+                                        let _e101 = (_e78 + (4u * _e94));
+                                        let _e103 = global_1[_e101];
+                                        let _e106 = global_1[(_e101 + 1u)];
+                                        let _e109 = global_1[(_e101 + 2u)];
+                                        let _e112 = global_1[(_e101 + 3u)];
+                                        phi_795_ = vec4<f32>(_e103, _e106, _e109, _e112);
                                     }
-                                    let _e110 = phi_754_;
-                                    let _e115 = global.member[(((_e47 + _e67.member_2) + _e80) + (_e89 * _e67.member_1))];
-                                    local_4 = (_e87 + dot(unpack4x8snorm(_e115), _e110));
+                                    let _e115 = phi_795_;
+                                    let _e120 = global.member[(((_e47 + _e72.member_2) + _e85) + (_e94 * _e72.member_1))];
+                                    local_3 = (_e92 + dot(unpack4x8snorm(_e120), _e115));
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e266 = local_4;
-                                    phi_748_ = _e266;
-                                    phi_745_ = (_e89 + bitcast<u32>(1i));
+                                    let _e268 = local_3;
+                                    phi_789_ = _e268;
+                                    phi_786_ = (_e94 + bitcast<u32>(1i));
                                 }
                             }
-                            let _e125 = global.member[((_e47 + _e67.member_3) + _e80)];
-                            let _e126 = unpack2x16float(_e125);
-                            let _e131 = local_1;
-                            let _e134 = clamp((_e126.x + ((127f * _e126.y) * _e131)), -65504f, 65504f);
-                            if ((_e61 + 1u) == _e63) {
-                                let _e136 = global_3.member_40;
-                                let _e138 = global_3.member_19;
-                                global_5.member[((4u * (_e136 + (_e30 * _e138))) + _e80)] = bitcast<u32>(_e134);
-                                global_1[(_e74 + _e80)] = _e134;
+                            let _e130 = global.member[((_e47 + _e72.member_3) + _e85)];
+                            let _e131 = unpack2x16float(_e130);
+                            let _e136 = local_1;
+                            let _e139 = clamp((_e131.x + ((127f * _e131.y) * _e136)), -65504f, 65504f);
+                            if ((_e68 + 1u) == _e66) {
+                                let _e141 = global_3.member_40;
+                                let _e143 = global_3.member_19;
+                                global_5.member[((4u * (_e141 + (_e30 * _e143))) + _e85)] = bitcast<u32>(_e139);
+                                global_1[(_e79 + _e85)] = _e139;
                             } else {
-                                let _e150 = global_3.member_25;
-                                global_1[(_e74 + _e80)] = max(_e134, (_e150 * _e134));
+                                let _e155 = global_3.member_25;
+                                global_1[(_e79 + _e85)] = max(_e139, (_e155 * _e139));
                             }
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_742_ = (_e80 + 64u);
+                            phi_783_ = (_e85 + 64u);
                         }
                     }
                     workgroupBarrier();
@@ -207,43 +207,42 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_735_ = (_e61 + bitcast<u32>(1i));
+                    phi_776_ = (_e68 + bitcast<u32>(1i));
                 }
             }
-            let _e158 = local_2;
-            let _e162 = global_3.member_20;
-            let _e167 = global_2.member[_e30];
-            phi_736_ = (_e167 + bitcast<u32>(param[0u]));
+            let _e165 = global_3.member_20;
+            let _e170 = (_e64 + bitcast<u32>(param[0u]));
+            phi_777_ = _e170;
             loop {
-                let _e172 = phi_736_;
+                let _e172 = phi_777_;
                 let _e176 = global_2.member[(_e30 + 1u)];
                 if (_e172 < _e176) {
                     local = vec3<f32>(0f, 0f, 0f);
-                    phi_737_ = 0u;
+                    phi_778_ = 0u;
                     loop {
-                        let _e179 = phi_737_;
+                        let _e179 = phi_778_;
                         let _e181 = global_3.member_18;
-                        local_3 = _e181;
-                        if (_e179 < _e181) {
-                            let _e184 = ((((_e158 & 1u) * 128u) + (4u * _e162)) + (4u * _e179));
-                            let _e186 = global_1[_e184];
-                            let _e189 = global_1[(_e184 + 1u)];
-                            let _e192 = global_1[(_e184 + 2u)];
-                            let _e195 = global_1[(_e184 + 3u)];
-                            phi_739_ = 0u;
+                        local_2 = _e181;
+                        if (_e179 < min(_e181, (_e170 | _e181))) {
+                            let _e186 = ((((_e61 & 1u) * 128u) + (4u * _e165)) + (4u * _e179));
+                            let _e188 = global_1[_e186];
+                            let _e191 = global_1[(_e186 + 1u)];
+                            let _e194 = global_1[(_e186 + 2u)];
+                            let _e197 = global_1[(_e186 + 3u)];
+                            phi_780_ = 0u;
                             loop {
-                                let _e198 = phi_739_;
-                                if (_e198 < 3u) {
+                                let _e200 = phi_780_;
+                                if (_e200 < 3u) {
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e203 = global_3.member_15;
-                                    let _e208 = global_4.member[((((_e198 * _e181) + _e179) * _e203) + _e172)];
-                                    let _e212 = local[_e198];
-                                    local[_e198] = (_e212 + dot(unpack4x8snorm(_e208), vec4<f32>(_e186, _e189, _e192, _e195)));
-                                    phi_739_ = (_e198 + bitcast<u32>(1i));
+                                    let _e205 = global_3.member_15;
+                                    let _e210 = global_4.member[((((_e200 * _e181) + _e179) * _e205) + _e172)];
+                                    let _e214 = local[_e200];
+                                    local[_e200] = (_e214 + dot(unpack4x8snorm(_e210), vec4<f32>(_e188, _e191, _e194, _e197)));
+                                    phi_780_ = (_e200 + bitcast<u32>(1i));
                                 }
                             }
                             continue;
@@ -251,31 +250,31 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             break;
                         }
                         continuing {
-                            phi_737_ = (_e179 + bitcast<u32>(1i));
+                            phi_778_ = (_e179 + bitcast<u32>(1i));
                         }
                     }
-                    let _e219 = local_3;
-                    let _e222 = global_3.member_15;
-                    let _e224 = (2u * _e172);
-                    let _e225 = (((3u * _e219) * _e222) + _e224);
-                    let _e229 = global_4.member[(_e225 + 1u)];
-                    let _e230 = unpack2x16float(_e229);
-                    let _e233 = global_4.member[_e225];
-                    let _e234 = unpack2x16float(_e233);
-                    let _e241 = local;
-                    let _e244 = clamp((vec3<f32>(_e234.x, _e234.y, _e230.x) + (_e241 * (127f * _e230.y))), vec3<f32>(-65504f, -65504f, -65504f), vec3<f32>(65504f, 65504f, 65504f));
-                    local = _e244;
-                    let _e246 = global_3.member_21;
-                    let _e248 = ((4u * _e246) + _e224);
-                    global_5.member[_e248] = pack2x16float(_e244.xy);
-                    let _e255 = local[2u];
-                    global_5.member[(_e248 + 1u)] = pack2x16float(vec2<f32>(_e255, 0f));
+                    let _e221 = local_2;
+                    let _e224 = global_3.member_15;
+                    let _e226 = (2u * _e172);
+                    let _e227 = (((3u * _e221) * _e224) + _e226);
+                    let _e231 = global_4.member[(_e227 + 1u)];
+                    let _e232 = unpack2x16float(_e231);
+                    let _e235 = global_4.member[_e227];
+                    let _e236 = unpack2x16float(_e235);
+                    let _e243 = local;
+                    let _e246 = clamp((vec3<f32>(_e236.x, _e236.y, _e232.x) + (_e243 * (127f * _e232.y))), vec3<f32>(-65504f, -65504f, -65504f), vec3<f32>(65504f, 65504f, 65504f));
+                    local = _e246;
+                    let _e248 = global_3.member_21;
+                    let _e250 = ((4u * _e248) + _e226);
+                    global_5.member[_e250] = pack2x16float(_e246.xy);
+                    let _e257 = local[2u];
+                    global_5.member[(_e250 + 1u)] = pack2x16float(vec2<f32>(_e257, 0f));
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_736_ = (_e172 + 64u);
+                    phi_777_ = (_e172 + 64u);
                 }
             }
             break;

@@ -135,45 +135,44 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_5017_: u32;
-    var phi_5016_: bool;
-    var phi_3064_: bool;
+    var phi_5032_: u32;
+    var phi_5031_: bool;
+    var phi_3074_: bool;
     var local: bool;
-    var phi_5019_: f32;
-    var phi_5020_: f32;
-    var phi_5026_: f32;
-    var phi_5022_: vec2<f32>;
-    var phi_5021_: bool;
-    var phi_5032_: bool;
-    var phi_5033_: bool;
-    var phi_5034_: vec4<f32>;
-    var phi_5035_: vec4<f32>;
-    var phi_5036_: vec4<f32>;
-    var phi_5046_: vec3<f32>;
-    var phi_5048_: vec4<f32>;
-    var phi_5047_: u32;
-    var local_1: vec4<f32>;
+    var phi_5034_: f32;
+    var phi_5035_: f32;
+    var phi_5041_: f32;
+    var phi_5037_: vec2<f32>;
+    var phi_5036_: bool;
+    var phi_5047_: bool;
+    var phi_5048_: bool;
+    var phi_5049_: vec4<f32>;
+    var phi_5050_: vec4<f32>;
+    var phi_5051_: vec4<f32>;
+    var phi_5061_: vec3<f32>;
     var phi_5063_: vec4<f32>;
-    var phi_5051_: vec3<f32>;
-    var phi_5050_: u32;
+    var phi_5062_: u32;
+    var local_1: vec4<f32>;
+    var phi_5078_: vec4<f32>;
+    var phi_5066_: vec3<f32>;
+    var phi_5065_: u32;
     var local_2: vec3<f32>;
-    var phi_5067_: vec3<f32>;
-    var phi_5060_: vec3<f32>;
-    var phi_5059_: u32;
+    var phi_5082_: vec3<f32>;
+    var phi_5075_: vec3<f32>;
+    var phi_5074_: u32;
     var local_3: vec3<f32>;
-    var phi_5069_: vec3<f32>;
-    var phi_4438_: bool;
-    var phi_4444_: bool;
-    var phi_5074_: f32;
-    var phi_5073_: u32;
+    var phi_5084_: vec3<f32>;
+    var phi_4481_: bool;
+    var phi_4487_: bool;
+    var phi_5089_: f32;
+    var phi_5088_: u32;
     var local_4: f32;
-    var phi_5082_: u32;
-    var phi_4522_: bool;
-    var phi_5086_: vec2<f32>;
-    var phi_5087_: vec2<f32>;
-    var phi_5090_: u32;
-    var phi_5091_: u32;
-    var phi_5092_: u32;
+    var phi_4560_: bool;
+    var phi_5098_: vec2<f32>;
+    var phi_5099_: vec2<f32>;
+    var phi_5102_: u32;
+    var phi_5103_: u32;
+    var phi_5104_: u32;
 
     let _e71 = bitcast<u32>(param_1[0u]);
     let _e73 = global.member_44;
@@ -186,17 +185,17 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e81 = (_e71 << bitcast<u32>(_e79));
                 let _e85 = (4u * (_e77 + (_e81 >> bitcast<u32>(5u))));
                 let _e90 = global_7.member[(_e85 + 3u)][0u];
-                phi_5017_ = (_e90 & 65535u);
-                phi_5016_ = true;
+                phi_5032_ = (_e90 & 65535u);
+                phi_5031_ = true;
                 loop {
-                    let _e93 = phi_5017_;
-                    let _e95 = phi_5016_;
+                    let _e93 = phi_5032_;
+                    let _e95 = phi_5031_;
                     local = _e95;
-                    phi_3064_ = _e95;
+                    phi_3074_ = _e95;
                     if _e95 {
-                        phi_3064_ = (_e93 <= (_e90 >> bitcast<u32>(16u)));
+                        phi_3074_ = (_e93 <= (_e90 >> bitcast<u32>(16u)));
                     }
-                    let _e100 = phi_3064_;
+                    let _e100 = phi_3074_;
                     if _e100 {
                         continue;
                     } else {
@@ -204,8 +203,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     }
                     continuing {
                         let _e109 = global.member_55[(_e93 >> bitcast<u32>(7u))][((_e93 >> bitcast<u32>(5u)) & 3u)];
-                        phi_5017_ = (_e93 + bitcast<u32>(1i));
-                        phi_5016_ = (((_e109 >> bitcast<u32>((_e93 & 31u))) & 1u) != 0u);
+                        phi_5032_ = (_e93 + bitcast<u32>(1i));
+                        phi_5031_ = (((_e109 >> bitcast<u32>((_e93 & 31u))) & 1u) != 0u);
                     }
                 }
                 let _e118 = local;
@@ -214,7 +213,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     if (_e120 != 0u) {
                         let _e124 = atomicAdd((&global_2.member[0u]), 1u);
                     }
-                    phi_5091_ = 4294967295u;
+                    phi_5103_ = 4294967295u;
                     break;
                 }
                 let _e125 = (2u * _e81);
@@ -283,9 +282,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e421 != 0u) {
                                 let _e425 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_5026_ = 0f;
-                            phi_5022_ = vec2<f32>(0f, 0f);
-                            phi_5021_ = false;
+                            phi_5041_ = 0f;
+                            phi_5037_ = vec2<f32>(0f, 0f);
+                            phi_5036_ = false;
                             break;
                         }
                         let _e427 = global.member;
@@ -294,36 +293,36 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e439 = global.member_8;
                         let _e440 = ((_e436 - _e401) * _e439);
                         if (_e440 < 0f) {
-                            phi_5020_ = (0.015625f / (1f - _e440));
+                            phi_5035_ = (0.015625f / (1f - _e440));
                         } else {
                             if (_e440 > 1f) {
-                                phi_5019_ = (1f - (0.015625f / _e440));
+                                phi_5034_ = (1f - (0.015625f / _e440));
                             } else {
-                                phi_5019_ = (0.015625f + (0.96875f * clamp(_e440, 0f, 1f)));
+                                phi_5034_ = (0.015625f + (0.96875f * clamp(_e440, 0f, 1f)));
                             }
-                            let _e449 = phi_5019_;
-                            phi_5020_ = _e449;
+                            let _e449 = phi_5034_;
+                            phi_5035_ = _e449;
                         }
-                        let _e453 = phi_5020_;
-                        phi_5026_ = _e453;
-                        phi_5022_ = (((_e427 * _e402.xy) / vec2(_e401)) + _e433);
-                        phi_5021_ = true;
+                        let _e453 = phi_5035_;
+                        phi_5041_ = _e453;
+                        phi_5037_ = (((_e427 * _e402.xy) / vec2(_e401)) + _e433);
+                        phi_5036_ = true;
                         break;
                     }
                 }
-                let _e455 = phi_5026_;
-                let _e457 = phi_5022_;
-                let _e459 = phi_5021_;
+                let _e455 = phi_5041_;
+                let _e457 = phi_5037_;
+                let _e459 = phi_5036_;
                 let _e463 = global_7.member[_e85][1u];
                 let _e464 = (_e81 & 31u);
-                phi_5033_ = _e459;
+                phi_5048_ = _e459;
                 if (_e459 && !((((_e463 >> bitcast<u32>(_e464)) & 1u) != 0u))) {
                     switch bitcast<i32>(0u) {
                         default: {
                             let _e480 = global.member_50;
                             let _e485 = max((_e480.xy - _e457), (_e457 - _e480.zw));
                             if !((max(_e485.x, _e485.y) > 0f)) {
-                                phi_5032_ = false;
+                                phi_5047_ = false;
                                 break;
                             }
                             let _e499 = global.member_2;
@@ -340,16 +339,16 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e542 = atomicAdd((&global_2.member[0u]), 1u);
                                 }
                             }
-                            phi_5032_ = _e536;
+                            phi_5047_ = _e536;
                             break;
                         }
                     }
-                    let _e544 = phi_5032_;
-                    phi_5033_ = !(_e544);
+                    let _e544 = phi_5047_;
+                    phi_5048_ = !(_e544);
                 }
-                let _e547 = phi_5033_;
+                let _e547 = phi_5048_;
                 if (true && !(_e547)) {
-                    phi_5091_ = 4294967295u;
+                    phi_5103_ = 4294967295u;
                     break;
                 }
                 let _e554 = global_7.member[((3u * _e77) + _e81)];
@@ -360,44 +359,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     if (_e563 != 0u) {
                         let _e567 = atomicAdd((&global_2.member[1u]), 1u);
                     }
-                    phi_5091_ = 4294967295u;
+                    phi_5103_ = 4294967295u;
                     break;
                 }
                 let _e581 = ((vec3<f32>(f32((_e554.x & 1023u)), f32(((_e554.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e554.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
                 let _e585 = sqrt(max((1f - dot(_e581, _e581)), 0f));
                 let _e587 = (_e554.x >> bitcast<u32>(30u));
                 if (_e587 == 0u) {
-                    phi_5036_ = vec4<f32>(_e585, _e581.x, _e581.y, _e581.z);
+                    phi_5051_ = vec4<f32>(_e585, _e581.x, _e581.y, _e581.z);
                 } else {
                     if (_e587 == 1u) {
-                        phi_5035_ = vec4<f32>(_e581.x, _e585, _e581.y, _e581.z);
+                        phi_5050_ = vec4<f32>(_e581.x, _e585, _e581.y, _e581.z);
                     } else {
                         if (_e587 == 2u) {
-                            phi_5034_ = vec4<f32>(_e581.x, _e581.y, _e585, _e581.z);
+                            phi_5049_ = vec4<f32>(_e581.x, _e581.y, _e585, _e581.z);
                         } else {
-                            phi_5034_ = vec4<f32>(_e581.x, _e581.y, _e581.z, _e585);
+                            phi_5049_ = vec4<f32>(_e581.x, _e581.y, _e581.z, _e585);
                         }
-                        let _e600 = phi_5034_;
-                        phi_5035_ = _e600;
+                        let _e600 = phi_5049_;
+                        phi_5050_ = _e600;
                     }
-                    let _e606 = phi_5035_;
-                    phi_5036_ = _e606;
+                    let _e606 = phi_5050_;
+                    phi_5051_ = _e606;
                 }
-                let _e612 = phi_5036_;
+                let _e612 = phi_5051_;
                 let _e616 = global.member_34;
-                let _e617 = (_e616 > 0u);
-                phi_5046_ = unpack4x8unorm(_e554.y).xyz;
-                if _e617 {
+                phi_5061_ = unpack4x8unorm(_e554.y).xyz;
+                if (_e616 > _e81) {
                     let _e621 = global_7.member[(_e616 + _e81)];
                     let _e623 = unpack2x16float(_e621.x);
-                    phi_5046_ = vec3<f32>(_e623.x, _e623.y, unpack2x16float(_e621.y).x);
+                    phi_5061_ = vec3<f32>(_e623.x, _e623.y, unpack2x16float(_e621.y).x);
                 }
-                let _e631 = phi_5046_;
+                let _e631 = phi_5061_;
                 let _e633 = (1u << bitcast<u32>(_e464));
                 let _e636 = global_7.member[_e85];
                 let _e640 = global_7.member[(_e85 + 1u)];
                 let _e644 = global_7.member[(_e85 + 2u)];
-                phi_5063_ = _e612;
+                phi_5078_ = _e612;
                 if ((_e636.x & _e633) != 0u) {
                     let _e655 = global.member_22;
                     let _e657 = global.member_18;
@@ -406,280 +404,265 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e665 = global_6.member[_e661];
                     let _e667 = global.member_40;
                     let _e671 = global.member_19;
-                    phi_5048_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5047_ = 0u;
+                    let _e675 = min(_e657, (_e665 | _e657));
+                    phi_5063_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5062_ = 0u;
                     loop {
-                        let _e675 = phi_5048_;
-                        let _e677 = phi_5047_;
-                        let _e679 = (2u * ((_e667 + ((_e665 >> bitcast<u32>(16u)) * _e671)) + _e677));
-                        let _e682 = global_1.member[_e679];
-                        let _e686 = global_1.member[(_e679 + 1u)];
-                        let _e692 = bitcast<vec4<f32>>(vec4<u32>(_e682.x, _e682.y, _e686.x, _e686.y));
-                        let _e696 = global_6.member[(_e662 + _e677)];
-                        let _e703 = global_6.member[((_e662 + _e657) + _e677)];
-                        let _e711 = global_6.member[((_e662 + (2u * _e657)) + _e677)];
-                        let _e719 = global_6.member[((_e662 + (3u * _e657)) + _e677)];
-                        let _e723 = (_e675 + vec4<f32>(dot(unpack4x8snorm(_e696), _e692), dot(unpack4x8snorm(_e703), _e692), dot(unpack4x8snorm(_e711), _e692), dot(unpack4x8snorm(_e719), _e692)));
-                        let _e725 = (_e677 + bitcast<u32>(1i));
-                        phi_5048_ = _e723;
-                        phi_5047_ = _e725;
-                        local_1 = _e723;
-                        if (_e725 < _e657) {
+                        let _e677 = phi_5063_;
+                        let _e679 = phi_5062_;
+                        let _e681 = (2u * ((_e667 + ((_e665 >> bitcast<u32>(16u)) * _e671)) + _e679));
+                        let _e684 = global_1.member[_e681];
+                        let _e688 = global_1.member[(_e681 + 1u)];
+                        let _e694 = bitcast<vec4<f32>>(vec4<u32>(_e684.x, _e684.y, _e688.x, _e688.y));
+                        let _e698 = global_6.member[(_e662 + _e679)];
+                        let _e705 = global_6.member[((_e662 + _e675) + _e679)];
+                        let _e713 = global_6.member[((_e662 + (2u * _e675)) + _e679)];
+                        let _e721 = global_6.member[((_e662 + (3u * _e675)) + _e679)];
+                        let _e725 = (_e677 + vec4<f32>(dot(unpack4x8snorm(_e698), _e694), dot(unpack4x8snorm(_e705), _e694), dot(unpack4x8snorm(_e713), _e694), dot(unpack4x8snorm(_e721), _e694)));
+                        let _e727 = (_e679 + bitcast<u32>(1i));
+                        phi_5063_ = _e725;
+                        phi_5062_ = _e727;
+                        local_1 = _e725;
+                        if (_e727 < _e675) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e731 = local_1;
-                    let _e733 = (_e612 + (_e731 * (127f * unpack2x16float(_e665).x)));
-                    phi_5063_ = select(_e612, _e733, vec4((length(_e733) >= 0.001f)));
+                    let _e733 = local_1;
+                    let _e735 = (_e612 + (_e733 * (127f * unpack2x16float(_e665).x)));
+                    phi_5078_ = select(_e612, _e735, vec4((length(_e735) >= 0.001f)));
                 }
-                let _e739 = phi_5063_;
-                phi_5067_ = _e293;
+                let _e741 = phi_5078_;
+                phi_5082_ = _e293;
                 if ((_e636.y & _e633) != 0u) {
-                    let _e750 = global.member_23;
-                    let _e752 = global.member_18;
-                    let _e756 = (_e750 + ((_e644.x + bitcast<u32>(countOneBits((_e636.y & (_e633 - 1u))))) * (1u + (3u * _e752))));
-                    let _e757 = (_e756 + 1u);
-                    let _e760 = global_6.member[_e756];
-                    let _e762 = global.member_40;
-                    let _e766 = global.member_19;
-                    phi_5051_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5050_ = 0u;
+                    let _e752 = global.member_23;
+                    let _e754 = global.member_18;
+                    let _e758 = (_e752 + ((_e644.x + bitcast<u32>(countOneBits((_e636.y & (_e633 - 1u))))) * (1u + (3u * _e754))));
+                    let _e759 = (_e758 + 1u);
+                    let _e762 = global_6.member[_e758];
+                    let _e764 = global.member_40;
+                    let _e768 = global.member_19;
+                    let _e772 = min(_e754, (_e762 | _e754));
+                    phi_5066_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5065_ = 0u;
                     loop {
-                        let _e770 = phi_5051_;
-                        let _e772 = phi_5050_;
-                        let _e774 = (2u * ((_e762 + ((_e760 >> bitcast<u32>(16u)) * _e766)) + _e772));
-                        let _e777 = global_1.member[_e774];
-                        let _e781 = global_1.member[(_e774 + 1u)];
-                        let _e787 = bitcast<vec4<f32>>(vec4<u32>(_e777.x, _e777.y, _e781.x, _e781.y));
-                        let _e791 = global_6.member[(_e757 + _e772)];
-                        let _e798 = global_6.member[((_e757 + _e752) + _e772)];
-                        let _e806 = global_6.member[((_e757 + (2u * _e752)) + _e772)];
-                        let _e810 = (_e770 + vec3<f32>(dot(unpack4x8snorm(_e791), _e787), dot(unpack4x8snorm(_e798), _e787), dot(unpack4x8snorm(_e806), _e787)));
-                        let _e812 = (_e772 + bitcast<u32>(1i));
-                        phi_5051_ = _e810;
-                        phi_5050_ = _e812;
-                        local_2 = _e810;
-                        if (_e812 < _e752) {
+                        let _e774 = phi_5066_;
+                        let _e776 = phi_5065_;
+                        let _e778 = (2u * ((_e764 + ((_e762 >> bitcast<u32>(16u)) * _e768)) + _e776));
+                        let _e781 = global_1.member[_e778];
+                        let _e785 = global_1.member[(_e778 + 1u)];
+                        let _e791 = bitcast<vec4<f32>>(vec4<u32>(_e781.x, _e781.y, _e785.x, _e785.y));
+                        let _e795 = global_6.member[(_e759 + _e776)];
+                        let _e802 = global_6.member[((_e759 + _e772) + _e776)];
+                        let _e810 = global_6.member[((_e759 + (2u * _e772)) + _e776)];
+                        let _e814 = (_e774 + vec3<f32>(dot(unpack4x8snorm(_e795), _e791), dot(unpack4x8snorm(_e802), _e791), dot(unpack4x8snorm(_e810), _e791)));
+                        let _e816 = (_e776 + bitcast<u32>(1i));
+                        phi_5066_ = _e814;
+                        phi_5065_ = _e816;
+                        local_2 = _e814;
+                        if (_e816 < _e772) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e818 = local_2;
-                    phi_5067_ = (_e293 + (_e818 * (127f * unpack2x16float(_e760).x)));
+                    let _e822 = local_2;
+                    phi_5082_ = (_e293 + (_e822 * (127f * unpack2x16float(_e762).x)));
                 }
-                let _e822 = phi_5067_;
-                phi_5069_ = _e631;
+                let _e826 = phi_5082_;
+                phi_5084_ = _e631;
                 if ((_e640.x & _e633) != 0u) {
-                    let _e833 = global.member_24;
-                    let _e835 = global.member_18;
-                    let _e839 = (_e833 + ((_e644.y + bitcast<u32>(countOneBits((_e640.x & (_e633 - 1u))))) * (3u + (3u * _e835))));
-                    let _e843 = global_6.member[(_e839 + 1u)];
-                    let _e844 = unpack2x16float(_e843);
-                    let _e848 = global_6.member[(_e839 + 2u)];
-                    let _e856 = (_e839 + 3u);
-                    let _e859 = global_6.member[_e839];
-                    let _e861 = global.member_40;
-                    let _e865 = global.member_19;
-                    phi_5060_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5059_ = 0u;
+                    let _e837 = global.member_24;
+                    let _e839 = global.member_18;
+                    let _e843 = (_e837 + ((_e644.y + bitcast<u32>(countOneBits((_e640.x & (_e633 - 1u))))) * (3u + (3u * _e839))));
+                    let _e847 = global_6.member[(_e843 + 1u)];
+                    let _e848 = unpack2x16float(_e847);
+                    let _e852 = global_6.member[(_e843 + 2u)];
+                    let _e861 = (_e843 + 3u);
+                    let _e864 = global_6.member[_e843];
+                    let _e866 = global.member_40;
+                    let _e870 = global.member_19;
+                    let _e874 = min(_e839, (_e864 | _e839));
+                    phi_5075_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5074_ = 0u;
                     loop {
-                        let _e869 = phi_5060_;
-                        let _e871 = phi_5059_;
-                        let _e873 = (2u * ((_e861 + ((_e859 >> bitcast<u32>(16u)) * _e865)) + _e871));
-                        let _e876 = global_1.member[_e873];
-                        let _e880 = global_1.member[(_e873 + 1u)];
-                        let _e886 = bitcast<vec4<f32>>(vec4<u32>(_e876.x, _e876.y, _e880.x, _e880.y));
-                        let _e890 = global_6.member[(_e856 + _e871)];
-                        let _e897 = global_6.member[((_e856 + _e835) + _e871)];
-                        let _e905 = global_6.member[((_e856 + (2u * _e835)) + _e871)];
-                        let _e909 = (_e869 + vec3<f32>(dot(unpack4x8snorm(_e890), _e886), dot(unpack4x8snorm(_e897), _e886), dot(unpack4x8snorm(_e905), _e886)));
-                        let _e911 = (_e871 + bitcast<u32>(1i));
-                        phi_5060_ = _e909;
-                        phi_5059_ = _e911;
-                        local_3 = _e909;
-                        if (_e911 < _e835) {
+                        let _e876 = phi_5075_;
+                        let _e878 = phi_5074_;
+                        let _e880 = (2u * ((_e866 + ((_e864 >> bitcast<u32>(16u)) * _e870)) + _e878));
+                        let _e883 = global_1.member[_e880];
+                        let _e887 = global_1.member[(_e880 + 1u)];
+                        let _e893 = bitcast<vec4<f32>>(vec4<u32>(_e883.x, _e883.y, _e887.x, _e887.y));
+                        let _e897 = global_6.member[(_e861 + _e878)];
+                        let _e904 = global_6.member[((_e861 + _e874) + _e878)];
+                        let _e912 = global_6.member[((_e861 + (2u * _e874)) + _e878)];
+                        let _e916 = (_e876 + vec3<f32>(dot(unpack4x8snorm(_e897), _e893), dot(unpack4x8snorm(_e904), _e893), dot(unpack4x8snorm(_e912), _e893)));
+                        let _e918 = (_e878 + bitcast<u32>(1i));
+                        phi_5075_ = _e916;
+                        phi_5074_ = _e918;
+                        local_3 = _e916;
+                        if (_e918 < _e874) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e917 = local_3;
-                    phi_5069_ = (select(vec3<f32>(_e844.x, _e844.y, unpack2x16float(_e848).x), _e631, vec3(_e617)) + (_e917 * (127f * unpack2x16float(_e859).x)));
+                    let _e924 = local_3;
+                    phi_5084_ = (select(vec3<f32>(_e848.x, _e848.y, unpack2x16float(_e852).x), _e631, vec3((_e616 > 0u))) + (_e924 * (127f * unpack2x16float(_e864).x)));
                 }
-                let _e921 = phi_5069_;
-                let _e922 = normalize(_e739);
-                let _e927 = (_e922.z * _e922.z);
-                let _e928 = (_e922.w * _e922.w);
-                let _e932 = (_e922.y * _e922.z);
-                let _e933 = (_e922.x * _e922.w);
-                let _e936 = (_e922.y * _e922.w);
-                let _e937 = (_e922.x * _e922.z);
-                let _e942 = (_e922.y * _e922.y);
-                let _e946 = (_e922.z * _e922.w);
-                let _e947 = (_e922.x * _e922.y);
-                let _e961 = exp(min(_e822, vec3<f32>(9f, 9f, 9f)));
-                let _e968 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e927 + _e928))), (2f * (_e932 + _e933)), (2f * (_e936 - _e937))) * _e961.x), (vec3<f32>((2f * (_e932 - _e933)), (1f - (2f * (_e942 + _e928))), (2f * (_e946 + _e947))) * _e961.y), (vec3<f32>((2f * (_e936 + _e937)), (2f * (_e946 - _e947)), (1f - (2f * (_e942 + _e927)))) * _e961.z));
+                let _e928 = phi_5084_;
+                let _e929 = normalize(_e741);
+                let _e934 = (_e929.z * _e929.z);
+                let _e935 = (_e929.w * _e929.w);
+                let _e939 = (_e929.y * _e929.z);
+                let _e940 = (_e929.x * _e929.w);
+                let _e943 = (_e929.y * _e929.w);
+                let _e944 = (_e929.x * _e929.z);
+                let _e949 = (_e929.y * _e929.y);
+                let _e953 = (_e929.z * _e929.w);
+                let _e954 = (_e929.x * _e929.y);
+                let _e968 = exp(min(_e826, vec3<f32>(9f, 9f, 9f)));
+                let _e975 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e934 + _e935))), (2f * (_e939 + _e940)), (2f * (_e943 - _e944))) * _e968.x), (vec3<f32>((2f * (_e939 - _e940)), (1f - (2f * (_e949 + _e935))), (2f * (_e953 + _e954))) * _e968.y), (vec3<f32>((2f * (_e943 + _e944)), (2f * (_e953 - _e954)), (1f - (2f * (_e949 + _e934)))) * _e968.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e974 = global.member_2;
-                        let _e976 = global.member_3;
-                        let _e977 = clamp((_e402.xy / vec2(_e401)), _e974, _e976);
-                        let _e980 = global.member[0u];
-                        let _e986 = (((_e412 - (_e414 * _e977.x)) * (_e980 / _e401)) * _e968);
-                        let _e989 = global.member[1u];
-                        let _e995 = (((_e413 - (_e414 * _e977.y)) * (_e989 / _e401)) * _e968);
-                        let _e997 = global.member_47;
-                        let _e999 = (dot(_e986, _e986) + _e997);
-                        let _e1002 = (dot(_e995, _e995) + _e997);
-                        let _e1004 = cross(_e986, _e995);
-                        let _e1005 = dot(_e1004, _e1004);
-                        let _e1009 = (_e1005 + (_e997 * ((_e999 + _e1002) - _e997)));
-                        let _e1010 = (_e1009 > 0f);
-                        phi_4438_ = _e1010;
-                        if _e1010 {
-                            phi_4438_ = (_e999 <= 1000000000000000000f);
+                        let _e981 = global.member_2;
+                        let _e983 = global.member_3;
+                        let _e984 = clamp((_e402.xy / vec2(_e401)), _e981, _e983);
+                        let _e987 = global.member[0u];
+                        let _e993 = (((_e412 - (_e414 * _e984.x)) * (_e987 / _e401)) * _e975);
+                        let _e996 = global.member[1u];
+                        let _e1002 = (((_e413 - (_e414 * _e984.y)) * (_e996 / _e401)) * _e975);
+                        let _e1004 = global.member_47;
+                        let _e1006 = (dot(_e993, _e993) + _e1004);
+                        let _e1009 = (dot(_e1002, _e1002) + _e1004);
+                        let _e1011 = cross(_e993, _e1002);
+                        let _e1012 = dot(_e1011, _e1011);
+                        let _e1016 = (_e1012 + (_e1004 * ((_e1006 + _e1009) - _e1004)));
+                        let _e1017 = (_e1016 > 0f);
+                        phi_4481_ = _e1017;
+                        if _e1017 {
+                            phi_4481_ = (_e1006 <= 1000000000000000000f);
                         }
-                        let _e1013 = phi_4438_;
-                        phi_4444_ = _e1013;
-                        if _e1013 {
-                            phi_4444_ = (_e1002 <= 1000000000000000000f);
+                        let _e1020 = phi_4481_;
+                        phi_4487_ = _e1020;
+                        if _e1020 {
+                            phi_4487_ = (_e1009 <= 1000000000000000000f);
                         }
-                        let _e1016 = phi_4444_;
-                        if !(_e1016) {
-                            let _e1019 = global_3.member_9;
-                            if (_e1019 != 0u) {
-                                let _e1023 = atomicAdd((&global_2.member[2u]), 1u);
+                        let _e1023 = phi_4487_;
+                        if !(_e1023) {
+                            let _e1026 = global_3.member_9;
+                            if (_e1026 != 0u) {
+                                let _e1030 = atomicAdd((&global_2.member[2u]), 1u);
                             }
-                            phi_5090_ = 4294967295u;
+                            phi_5102_ = 4294967295u;
                             break;
                         }
-                        phi_5074_ = (1f - (_e558 * 0.003921569f));
-                        phi_5073_ = 0u;
+                        phi_5089_ = (1f - (_e558 * 0.003921569f));
+                        phi_5088_ = 0u;
                         loop {
-                            let _e1027 = phi_5074_;
-                            let _e1029 = phi_5073_;
-                            local_4 = _e1027;
-                            if (_e1029 < 3u) {
+                            let _e1034 = phi_5089_;
+                            let _e1036 = phi_5088_;
+                            local_4 = _e1034;
+                            if (_e1036 < 3u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5074_ = select(_e1027, (_e1027 * _e1027), (_e1029 < _e79));
-                                phi_5073_ = (_e1029 + bitcast<u32>(1i));
+                                phi_5089_ = select(_e1034, (_e1034 * _e1034), (_e1036 < _e79));
+                                phi_5088_ = (_e1036 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1037 = local_4;
-                        let _e1041 = u32(round((255f * (1f - _e1037))));
-                        let _e1043 = global.member_48;
-                        phi_5082_ = _e1041;
-                        if (_e1043 > 0f) {
-                            let _e1053 = u32(round((f32(_e1041) * ((1f - _e1043) + (_e1043 * sqrt((_e1005 / _e1009)))))));
-                            if (f32(_e1053) <= _e560) {
-                                let _e1057 = global_3.member_9;
-                                if (_e1057 != 0u) {
-                                    let _e1061 = atomicAdd((&global_2.member[1u]), 1u);
-                                }
-                                phi_5090_ = 4294967295u;
-                                break;
+                        let _e1044 = local_4;
+                        let _e1052 = global.member_48;
+                        let _e1059 = u32(round((f32(u32(round((255f * (1f - _e1044))))) * ((1f - _e1052) + (_e1052 * sqrt((_e1012 / _e1016)))))));
+                        let _e1060 = f32(_e1059);
+                        if (_e1060 <= _e560) {
+                            let _e1063 = global_3.member_9;
+                            if (_e1063 != 0u) {
+                                let _e1067 = atomicAdd((&global_2.member[1u]), 1u);
                             }
-                            phi_5082_ = _e1053;
-                        }
-                        let _e1063 = phi_5082_;
-                        let _e1065 = global.member_45;
-                        let _e1066 = (vec3<f32>(_e999, dot(_e986, _e995), _e1002) * _e1065);
-                        let _e1079 = global.member_49;
-                        let _e1080 = ((sqrt(_e1066.xz) * sqrt((2f * log(max((f32(_e1063) / _e560), 1f))))) * _e1079);
-                        let _e1083 = global.member_50;
-                        let _e1086 = all(((_e457 + _e1080) > _e1083.xy));
-                        phi_4522_ = _e1086;
-                        if _e1086 {
-                            phi_4522_ = all(((_e457 - _e1080) < _e1083.zw));
-                        }
-                        let _e1092 = phi_4522_;
-                        if !(_e1092) {
-                            let _e1095 = global_3.member_9;
-                            if (_e1095 != 0u) {
-                                let _e1099 = atomicAdd((&global_2.member[0u]), 1u);
-                            }
-                            phi_5090_ = 4294967295u;
+                            phi_5102_ = 4294967295u;
                             break;
                         }
-                        let _e1104 = (0.5f * (_e1066.x - _e1066.z));
-                        let _e1109 = sqrt(((_e1104 * _e1104) + (_e1066.y * _e1066.y)));
-                        let _e1112 = ((0.5f * (_e1066.x + _e1066.z)) + _e1109);
-                        if (_e1104 >= 0f) {
-                            phi_5086_ = vec2<f32>((_e1104 + _e1109), _e1066.y);
-                        } else {
-                            phi_5086_ = vec2<f32>(_e1066.y, (_e1109 - _e1104));
+                        let _e1069 = global.member_45;
+                        let _e1070 = (vec3<f32>(_e1006, dot(_e993, _e1002), _e1009) * _e1069);
+                        let _e1082 = global.member_49;
+                        let _e1083 = ((sqrt(_e1070.xz) * sqrt((2f * log(max((_e1060 / _e560), 1f))))) * _e1082);
+                        let _e1086 = global.member_50;
+                        let _e1089 = all(((_e457 + _e1083) > _e1086.xy));
+                        phi_4560_ = _e1089;
+                        if _e1089 {
+                            phi_4560_ = all(((_e457 - _e1083) < _e1086.zw));
                         }
-                        let _e1119 = phi_5086_;
-                        if (_e1109 > (0.00000001f * _e1112)) {
-                            phi_5087_ = normalize(_e1119);
-                        } else {
-                            phi_5087_ = vec2<f32>(1f, 0f);
+                        let _e1095 = phi_4560_;
+                        if !(_e1095) {
+                            let _e1098 = global_3.member_9;
+                            if (_e1098 != 0u) {
+                                let _e1102 = atomicAdd((&global_2.member[0u]), 1u);
+                            }
+                            phi_5102_ = 4294967295u;
+                            break;
                         }
-                        let _e1124 = phi_5087_;
-                        let _e1132 = max(-(_e457), (_e457 * 0.5f));
-                        let _e1137 = global.member_5;
-                        let _e1138 = (max(_e1132.x, _e1132.y) / _e1137);
-                        let _e1146 = ((select(0u, 1u, (_e1138 > 1f)) + select(0u, 1u, (_e1138 > 64f))) + select(0u, 1u, (_e1138 > 4096f)));
-                        let _e1155 = global.member_10;
-                        let _e1159 = vec2<u32>(clamp(round((((_e457 * exp2(-(f32((_e1146 * 6u))))) + vec2(_e1137)) * _e1155)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1162 = vec3<u32>(round((clamp(_e921, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1193 = global.member_41;
-                        let _e1195 = (4u * (_e1193 + _e71));
-                        global_4.member[_e1195] = ((_e1159.x | (_e1162.x << bitcast<u32>(20u))) | (_e1162.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1195 + 1u)] = ((_e1159.y | (_e1162.y << bitcast<u32>(20u))) | (_e1146 << bitcast<u32>(30u)));
-                        global_4.member[(_e1195 + 2u)] = pack2x16float((_e1124 * min(sqrt(_e1112), 65504f)));
-                        global_4.member[(_e1195 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1009 * (_e1065 * _e1065)) / _e1112)), 65504f), 0f)) | (_e1063 << bitcast<u32>(16u))) | ((_e1162.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1208 = global.member_9;
-                        phi_5090_ = min(u32((_e455 * f32(_e1208))), _e1208);
+                        let _e1107 = (0.5f * (_e1070.x - _e1070.z));
+                        let _e1112 = sqrt(((_e1107 * _e1107) + (_e1070.y * _e1070.y)));
+                        let _e1115 = ((0.5f * (_e1070.x + _e1070.z)) + _e1112);
+                        if (_e1107 >= 0f) {
+                            phi_5098_ = vec2<f32>((_e1107 + _e1112), _e1070.y);
+                        } else {
+                            phi_5098_ = vec2<f32>(_e1070.y, (_e1112 - _e1107));
+                        }
+                        let _e1122 = phi_5098_;
+                        if (_e1112 > (0.00000001f * _e1115)) {
+                            phi_5099_ = normalize(_e1122);
+                        } else {
+                            phi_5099_ = vec2<f32>(1f, 0f);
+                        }
+                        let _e1127 = phi_5099_;
+                        let _e1135 = max(-(_e457), (_e457 * 0.5f));
+                        let _e1140 = global.member_5;
+                        let _e1141 = (max(_e1135.x, _e1135.y) / _e1140);
+                        let _e1149 = ((select(0u, 1u, (_e1141 > 1f)) + select(0u, 1u, (_e1141 > 64f))) + select(0u, 1u, (_e1141 > 4096f)));
+                        let _e1158 = global.member_10;
+                        let _e1162 = vec2<u32>(clamp(round((((_e457 * exp2(-(f32((_e1149 * 6u))))) + vec2(_e1140)) * _e1158)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1165 = vec3<u32>(round((clamp(_e928, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1196 = global.member_41;
+                        let _e1198 = (4u * (_e1196 + _e71));
+                        global_4.member[_e1198] = ((_e1162.x | (_e1165.x << bitcast<u32>(20u))) | (_e1165.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1198 + 1u)] = ((_e1162.y | (_e1165.y << bitcast<u32>(20u))) | (_e1149 << bitcast<u32>(30u)));
+                        global_4.member[(_e1198 + 2u)] = pack2x16float((_e1127 * min(sqrt(_e1115), 65504f)));
+                        global_4.member[(_e1198 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1016 * (_e1069 * _e1069)) / _e1115)), 65504f), 0f)) | (_e1059 << bitcast<u32>(16u))) | ((_e1165.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1211 = global.member_9;
+                        phi_5102_ = min(u32((_e455 * f32(_e1211))), _e1211);
                         break;
                     }
                 }
-                let _e1214 = phi_5090_;
-                phi_5091_ = _e1214;
+                let _e1217 = phi_5102_;
+                phi_5103_ = _e1217;
                 break;
             }
         }
-        let _e1216 = phi_5091_;
-        phi_5092_ = _e1216;
+        let _e1219 = phi_5103_;
+        phi_5104_ = _e1219;
     } else {
-        phi_5092_ = 4294967295u;
+        phi_5104_ = 4294967295u;
     }
-    let _e1218 = phi_5092_;
-    switch bitcast<i32>(0u) {
-        default: {
-            let _e1221 = bitcast<u32>(param[0u]);
-            let _e1223 = global.member_41;
-            let _e1224 = (_e1223 + _e71);
-            if (_e1218 != 4294967295u) {
-                let _e1227 = global.member_37;
-                let _e1231 = global.member_36;
-                let _e1237 = atomicAdd((&global_2.member[((_e1231 + ((_e1224 / _e1227) * 256u)) + (_e1218 & 255u))]), 1u);
-            }
-            let _e1239 = global.member_35;
-            if (_e1239 == 0u) {
-                if (_e71 < (_e73 + (_e73 & 1u))) {
-                    let _e1245 = global.member_28;
-                    global_4.member[(_e1245 + _e1224)] = _e1218;
-                }
-                break;
-            }
-            global_5[_e1221] = _e1218;
-            workgroupBarrier();
-            let _e1251 = ((_e1221 & 1u) == 0u);
-            if select(_e1251, _e74, _e1251) {
-                let _e1254 = global.member_28;
-                let _e1261 = global_5[(_e1221 + 1u)];
-                global_4.member[(_e1254 + (_e1224 >> bitcast<u32>(1u)))] = ((_e1218 & 65535u) | (_e1261 << bitcast<u32>(16u)));
-            }
-            break;
-        }
+    let _e1221 = phi_5104_;
+    let _e1223 = bitcast<u32>(param[0u]);
+    let _e1225 = global.member_41;
+    let _e1226 = (_e1225 + _e71);
+    if (_e1221 != 4294967295u) {
+        let _e1229 = global.member_37;
+        let _e1233 = global.member_36;
+        let _e1239 = atomicAdd((&global_2.member[((_e1233 + ((_e1226 / _e1229) * 256u)) + (_e1221 & 255u))]), 1u);
+    }
+    global_5[_e1223] = _e1221;
+    workgroupBarrier();
+    let _e1242 = ((_e1223 & 1u) == 0u);
+    if select(_e1242, _e74, _e1242) {
+        let _e1245 = global.member_28;
+        let _e1252 = global_5[(_e1223 + 1u)];
+        global_4.member[(_e1245 + (_e1226 >> bitcast<u32>(1u)))] = ((_e1221 & 65535u) | (_e1252 << bitcast<u32>(16u)));
     }
     return;
 }

@@ -113,25 +113,24 @@ var<workgroup> global_4: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_2434_: f32;
-    var phi_2435_: f32;
-    var phi_2441_: f32;
-    var phi_2437_: vec2<f32>;
-    var phi_2436_: bool;
-    var phi_2443_: bool;
-    var phi_1385_: bool;
-    var phi_1915_: bool;
-    var phi_1921_: bool;
-    var phi_2448_: f32;
-    var phi_2447_: u32;
+    var phi_2394_: f32;
+    var phi_2395_: f32;
+    var phi_2401_: f32;
+    var phi_2397_: vec2<f32>;
+    var phi_2396_: bool;
+    var phi_2403_: bool;
+    var phi_1373_: bool;
+    var phi_1903_: bool;
+    var phi_1909_: bool;
+    var phi_2408_: f32;
+    var phi_2407_: u32;
     var local: f32;
-    var phi_2456_: u32;
-    var phi_1999_: bool;
-    var phi_2460_: vec2<f32>;
-    var phi_2461_: vec2<f32>;
-    var phi_2464_: u32;
-    var phi_2465_: u32;
-    var phi_2466_: u32;
+    var phi_1982_: bool;
+    var phi_2417_: vec2<f32>;
+    var phi_2418_: vec2<f32>;
+    var phi_2421_: u32;
+    var phi_2422_: u32;
+    var phi_2423_: u32;
 
     let _e65 = bitcast<u32>(param_1[0u]);
     let _e67 = global.member_44;
@@ -165,9 +164,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e158 != 0u) {
                                 let _e162 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2441_ = 0f;
-                            phi_2437_ = vec2<f32>(0f, 0f);
-                            phi_2436_ = false;
+                            phi_2401_ = 0f;
+                            phi_2397_ = vec2<f32>(0f, 0f);
+                            phi_2396_ = false;
                             break;
                         }
                         let _e164 = global.member;
@@ -176,28 +175,28 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e176 = global.member_8;
                         let _e177 = ((_e173 - _e138) * _e176);
                         if (_e177 < 0f) {
-                            phi_2435_ = (0.015625f / (1f - _e177));
+                            phi_2395_ = (0.015625f / (1f - _e177));
                         } else {
                             if (_e177 > 1f) {
-                                phi_2434_ = (1f - (0.015625f / _e177));
+                                phi_2394_ = (1f - (0.015625f / _e177));
                             } else {
-                                phi_2434_ = (0.015625f + (0.96875f * clamp(_e177, 0f, 1f)));
+                                phi_2394_ = (0.015625f + (0.96875f * clamp(_e177, 0f, 1f)));
                             }
-                            let _e188 = phi_2434_;
-                            phi_2435_ = _e188;
+                            let _e186 = phi_2394_;
+                            phi_2395_ = _e186;
                         }
-                        let _e190 = phi_2435_;
-                        phi_2441_ = _e190;
-                        phi_2437_ = (((_e164 * _e139.xy) / vec2(_e138)) + _e170);
-                        phi_2436_ = true;
+                        let _e190 = phi_2395_;
+                        phi_2401_ = _e190;
+                        phi_2397_ = (((_e164 * _e139.xy) / vec2(_e138)) + _e170);
+                        phi_2396_ = true;
                         break;
                     }
                 }
-                let _e192 = phi_2441_;
-                let _e194 = phi_2437_;
-                let _e196 = phi_2436_;
+                let _e192 = phi_2401_;
+                let _e194 = phi_2397_;
+                let _e196 = phi_2396_;
                 let _e197 = !(_e196);
-                phi_1385_ = _e197;
+                phi_1373_ = _e197;
                 if !(_e197) {
                     let _e200 = global.member_39;
                     switch bitcast<i32>(0u) {
@@ -205,7 +204,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             let _e212 = global.member_50;
                             let _e217 = max((_e212.xy - _e194), (_e194 - _e212.zw));
                             if !((max(_e217.x, _e217.y) > 0f)) {
-                                phi_2443_ = false;
+                                phi_2403_ = false;
                                 break;
                             }
                             let _e231 = global.member_2;
@@ -222,16 +221,16 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e274 = atomicAdd((&global_1.member[0u]), 1u);
                                 }
                             }
-                            phi_2443_ = _e268;
+                            phi_2403_ = _e268;
                             break;
                         }
                     }
-                    let _e276 = phi_2443_;
-                    phi_1385_ = _e276;
+                    let _e276 = phi_2403_;
+                    phi_1373_ = _e276;
                 }
-                let _e278 = phi_1385_;
+                let _e278 = phi_1373_;
                 if _e278 {
-                    phi_2465_ = 4294967295u;
+                    phi_2422_ = 4294967295u;
                     break;
                 }
                 let _e279 = f32((_e80 >> bitcast<u32>(24u)));
@@ -241,7 +240,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     if (_e284 != 0u) {
                         let _e288 = atomicAdd((&global_1.member[1u]), 1u);
                     }
-                    phi_2465_ = 4294967295u;
+                    phi_2422_ = 4294967295u;
                     break;
                 }
                 let _e291 = (_e71 + (3u * (_e67 + _e65)));
@@ -270,29 +269,29 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e375 = dot(_e374, _e374);
                         let _e379 = (_e375 + (_e367 * ((_e369 + _e372) - _e367)));
                         let _e380 = (_e379 > 0f);
-                        phi_1915_ = _e380;
+                        phi_1903_ = _e380;
                         if _e380 {
-                            phi_1915_ = (_e369 <= 1000000000000000000f);
+                            phi_1903_ = (_e369 <= 1000000000000000000f);
                         }
-                        let _e383 = phi_1915_;
-                        phi_1921_ = _e383;
+                        let _e383 = phi_1903_;
+                        phi_1909_ = _e383;
                         if _e383 {
-                            phi_1921_ = (_e372 <= 1000000000000000000f);
+                            phi_1909_ = (_e372 <= 1000000000000000000f);
                         }
-                        let _e386 = phi_1921_;
+                        let _e386 = phi_1909_;
                         if !(_e386) {
                             let _e389 = global_2.member_9;
                             if (_e389 != 0u) {
                                 let _e393 = atomicAdd((&global_1.member[2u]), 1u);
                             }
-                            phi_2464_ = 4294967295u;
+                            phi_2421_ = 4294967295u;
                             break;
                         }
-                        phi_2448_ = (1f - (_e279 * 0.003921569f));
-                        phi_2447_ = 0u;
+                        phi_2408_ = (1f - (_e279 * 0.003921569f));
+                        phi_2407_ = 0u;
                         loop {
-                            let _e397 = phi_2448_;
-                            let _e399 = phi_2447_;
+                            let _e397 = phi_2408_;
+                            let _e399 = phi_2407_;
                             local = _e397;
                             if (_e399 < 3u) {
                                 continue;
@@ -301,118 +300,100 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             }
                             continuing {
                                 let _e403 = global.member_43;
-                                phi_2448_ = select(_e397, (_e397 * _e397), (_e399 < _e403));
-                                phi_2447_ = (_e399 + bitcast<u32>(1i));
+                                phi_2408_ = select(_e397, (_e397 * _e397), (_e399 < _e403));
+                                phi_2407_ = (_e399 + bitcast<u32>(1i));
                             }
                         }
                         let _e409 = local;
-                        let _e413 = u32(round((255f * (1f - _e409))));
-                        let _e415 = global.member_48;
-                        phi_2456_ = _e413;
-                        if (_e415 > 0f) {
-                            let _e425 = u32(round((f32(_e413) * ((1f - _e415) + (_e415 * sqrt((_e375 / _e379)))))));
-                            if (f32(_e425) <= _e281) {
-                                let _e429 = global_2.member_9;
-                                if (_e429 != 0u) {
-                                    let _e433 = atomicAdd((&global_1.member[1u]), 1u);
-                                }
-                                phi_2464_ = 4294967295u;
-                                break;
+                        let _e417 = global.member_48;
+                        let _e424 = u32(round((f32(u32(round((255f * (1f - _e409))))) * ((1f - _e417) + (_e417 * sqrt((_e375 / _e379)))))));
+                        let _e425 = f32(_e424);
+                        if (_e425 <= _e281) {
+                            let _e428 = global_2.member_9;
+                            if (_e428 != 0u) {
+                                let _e432 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_2456_ = _e425;
-                        }
-                        let _e435 = phi_2456_;
-                        let _e437 = global.member_45;
-                        let _e438 = (vec3<f32>(_e369, dot(_e356, _e365), _e372) * _e437);
-                        let _e451 = global.member_49;
-                        let _e452 = ((sqrt(_e438.xz) * sqrt((2f * log(max((f32(_e435) / _e281), 1f))))) * _e451);
-                        let _e455 = global.member_50;
-                        let _e458 = all(((_e194 + _e452) > _e455.xy));
-                        phi_1999_ = _e458;
-                        if _e458 {
-                            phi_1999_ = all(((_e194 - _e452) < _e455.zw));
-                        }
-                        let _e464 = phi_1999_;
-                        if !(_e464) {
-                            let _e467 = global_2.member_9;
-                            if (_e467 != 0u) {
-                                let _e471 = atomicAdd((&global_1.member[0u]), 1u);
-                            }
-                            phi_2464_ = 4294967295u;
+                            phi_2421_ = 4294967295u;
                             break;
                         }
-                        let _e476 = (0.5f * (_e438.x - _e438.z));
-                        let _e481 = sqrt(((_e476 * _e476) + (_e438.y * _e438.y)));
-                        let _e484 = ((0.5f * (_e438.x + _e438.z)) + _e481);
-                        if (_e476 >= 0f) {
-                            phi_2460_ = vec2<f32>((_e476 + _e481), _e438.y);
-                        } else {
-                            phi_2460_ = vec2<f32>(_e438.y, (_e481 - _e476));
+                        let _e434 = global.member_45;
+                        let _e435 = (vec3<f32>(_e369, dot(_e356, _e365), _e372) * _e434);
+                        let _e447 = global.member_49;
+                        let _e448 = ((sqrt(_e435.xz) * sqrt((2f * log(max((_e425 / _e281), 1f))))) * _e447);
+                        let _e451 = global.member_50;
+                        let _e454 = all(((_e194 + _e448) > _e451.xy));
+                        phi_1982_ = _e454;
+                        if _e454 {
+                            phi_1982_ = all(((_e194 - _e448) < _e451.zw));
                         }
-                        let _e491 = phi_2460_;
-                        if (_e481 > (0.00000001f * _e484)) {
-                            phi_2461_ = normalize(_e491);
-                        } else {
-                            phi_2461_ = vec2<f32>(1f, 0f);
+                        let _e460 = phi_1982_;
+                        if !(_e460) {
+                            let _e463 = global_2.member_9;
+                            if (_e463 != 0u) {
+                                let _e467 = atomicAdd((&global_1.member[0u]), 1u);
+                            }
+                            phi_2421_ = 4294967295u;
+                            break;
                         }
-                        let _e496 = phi_2461_;
-                        let _e504 = max(-(_e194), (_e194 * 0.5f));
-                        let _e509 = global.member_5;
-                        let _e510 = (max(_e504.x, _e504.y) / _e509);
-                        let _e518 = ((select(0u, 1u, (_e510 > 1f)) + select(0u, 1u, (_e510 > 64f))) + select(0u, 1u, (_e510 > 4096f)));
-                        let _e527 = global.member_10;
-                        let _e531 = vec2<u32>(clamp(round((((_e194 * exp2(-(f32((_e518 * 6u))))) + vec2(_e509)) * _e527)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e534 = vec3<u32>(round((clamp((vec3<f32>((_e303 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e565 = global.member_41;
-                        let _e567 = (4u * (_e565 + _e65));
-                        global_3.member[_e567] = ((_e531.x | (_e534.x << bitcast<u32>(20u))) | (_e534.z << bitcast<u32>(30u)));
-                        global_3.member[(_e567 + 1u)] = ((_e531.y | (_e534.y << bitcast<u32>(20u))) | (_e518 << bitcast<u32>(30u)));
-                        global_3.member[(_e567 + 2u)] = pack2x16float((_e496 * min(sqrt(_e484), 65504f)));
-                        global_3.member[(_e567 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e379 * (_e437 * _e437)) / _e484)), 65504f), 0f)) | (_e435 << bitcast<u32>(16u))) | ((_e534.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e580 = global.member_9;
-                        phi_2464_ = min(u32((_e192 * f32(_e580))), _e580);
+                        let _e472 = (0.5f * (_e435.x - _e435.z));
+                        let _e477 = sqrt(((_e472 * _e472) + (_e435.y * _e435.y)));
+                        let _e480 = ((0.5f * (_e435.x + _e435.z)) + _e477);
+                        if (_e472 >= 0f) {
+                            phi_2417_ = vec2<f32>((_e472 + _e477), _e435.y);
+                        } else {
+                            phi_2417_ = vec2<f32>(_e435.y, (_e477 - _e472));
+                        }
+                        let _e487 = phi_2417_;
+                        if (_e477 > (0.00000001f * _e480)) {
+                            phi_2418_ = normalize(_e487);
+                        } else {
+                            phi_2418_ = vec2<f32>(1f, 0f);
+                        }
+                        let _e492 = phi_2418_;
+                        let _e500 = max(-(_e194), (_e194 * 0.5f));
+                        let _e505 = global.member_5;
+                        let _e506 = (max(_e500.x, _e500.y) / _e505);
+                        let _e514 = ((select(0u, 1u, (_e506 > 1f)) + select(0u, 1u, (_e506 > 64f))) + select(0u, 1u, (_e506 > 4096f)));
+                        let _e523 = global.member_10;
+                        let _e527 = vec2<u32>(clamp(round((((_e194 * exp2(-(f32((_e514 * 6u))))) + vec2(_e505)) * _e523)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e530 = vec3<u32>(round((clamp((vec3<f32>((_e303 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e561 = global.member_41;
+                        let _e563 = (4u * (_e561 + _e65));
+                        global_3.member[_e563] = ((_e527.x | (_e530.x << bitcast<u32>(20u))) | (_e530.z << bitcast<u32>(30u)));
+                        global_3.member[(_e563 + 1u)] = ((_e527.y | (_e530.y << bitcast<u32>(20u))) | (_e514 << bitcast<u32>(30u)));
+                        global_3.member[(_e563 + 2u)] = pack2x16float((_e492 * min(sqrt(_e480), 65504f)));
+                        global_3.member[(_e563 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e379 * (_e434 * _e434)) / _e480)), 65504f), 0f)) | (_e424 << bitcast<u32>(16u))) | ((_e530.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e576 = global.member_9;
+                        phi_2421_ = min(u32((_e192 * f32(_e576))), _e576);
                         break;
                     }
                 }
-                let _e586 = phi_2464_;
-                phi_2465_ = _e586;
+                let _e582 = phi_2421_;
+                phi_2422_ = _e582;
                 break;
             }
         }
-        let _e588 = phi_2465_;
-        phi_2466_ = _e588;
+        let _e584 = phi_2422_;
+        phi_2423_ = _e584;
     } else {
-        phi_2466_ = 4294967295u;
+        phi_2423_ = 4294967295u;
     }
-    let _e590 = phi_2466_;
-    switch bitcast<i32>(0u) {
-        default: {
-            let _e593 = bitcast<u32>(param[0u]);
-            let _e595 = global.member_41;
-            let _e596 = (_e595 + _e65);
-            if (_e590 != 4294967295u) {
-                let _e599 = global.member_37;
-                let _e603 = global.member_36;
-                let _e609 = atomicAdd((&global_1.member[((_e603 + ((_e596 / _e599) * 256u)) + (_e590 & 255u))]), 1u);
-            }
-            let _e611 = global.member_35;
-            if (_e611 == 0u) {
-                if (_e65 < (_e67 + (_e67 & 1u))) {
-                    let _e617 = global.member_28;
-                    global_3.member[(_e617 + _e596)] = _e590;
-                }
-                break;
-            }
-            global_4[_e593] = _e590;
-            workgroupBarrier();
-            let _e623 = ((_e593 & 1u) == 0u);
-            if select(_e623, _e68, _e623) {
-                let _e626 = global.member_28;
-                let _e633 = global_4[(_e593 + 1u)];
-                global_3.member[(_e626 + (_e596 >> bitcast<u32>(1u)))] = ((_e590 & 65535u) | (_e633 << bitcast<u32>(16u)));
-            }
-            break;
-        }
+    let _e586 = phi_2423_;
+    let _e588 = bitcast<u32>(param[0u]);
+    let _e590 = global.member_41;
+    let _e591 = (_e590 + _e65);
+    if (_e586 != 4294967295u) {
+        let _e594 = global.member_37;
+        let _e598 = global.member_36;
+        let _e604 = atomicAdd((&global_1.member[((_e598 + ((_e591 / _e594) * 256u)) + (_e586 & 255u))]), 1u);
+    }
+    global_4[_e588] = _e586;
+    workgroupBarrier();
+    let _e607 = ((_e588 & 1u) == 0u);
+    if select(_e607, _e68, _e607) {
+        let _e610 = global.member_28;
+        let _e617 = global_4[(_e588 + 1u)];
+        global_3.member[(_e610 + (_e591 >> bitcast<u32>(1u)))] = ((_e586 & 65535u) | (_e617 << bitcast<u32>(16u)));
     }
     return;
 }

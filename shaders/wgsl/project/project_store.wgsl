@@ -135,46 +135,45 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_5372_: f32;
-    var phi_5373_: f32;
-    var phi_5379_: f32;
-    var phi_5375_: vec2<f32>;
-    var phi_5374_: bool;
-    var phi_5385_: bool;
-    var phi_5386_: bool;
-    var phi_5387_: vec4<f32>;
-    var phi_5388_: vec4<f32>;
-    var phi_5389_: vec4<f32>;
-    var phi_5399_: vec3<f32>;
-    var phi_5401_: vec4<f32>;
-    var phi_5400_: u32;
-    var local: vec4<f32>;
+    var phi_5387_: f32;
+    var phi_5388_: f32;
+    var phi_5394_: f32;
+    var phi_5390_: vec2<f32>;
+    var phi_5389_: bool;
+    var phi_5400_: bool;
+    var phi_5401_: bool;
+    var phi_5402_: vec4<f32>;
+    var phi_5403_: vec4<f32>;
+    var phi_5404_: vec4<f32>;
+    var phi_5414_: vec3<f32>;
     var phi_5416_: vec4<f32>;
-    var phi_5404_: vec3<f32>;
-    var phi_5403_: u32;
+    var phi_5415_: u32;
+    var local: vec4<f32>;
+    var phi_5431_: vec4<f32>;
+    var phi_5419_: vec3<f32>;
+    var phi_5418_: u32;
     var local_1: vec3<f32>;
-    var phi_5420_: vec3<f32>;
-    var phi_5413_: vec3<f32>;
-    var phi_5412_: u32;
+    var phi_5435_: vec3<f32>;
+    var phi_5428_: vec3<f32>;
+    var phi_5427_: u32;
     var local_2: vec3<f32>;
-    var phi_5422_: vec3<f32>;
-    var phi_5423_: vec3<f32>;
-    var phi_5425_: vec3<f32>;
-    var phi_5427_: vec3<f32>;
-    var phi_3088_: bool;
-    var phi_3102_: bool;
-    var phi_4766_: bool;
-    var phi_4772_: bool;
-    var phi_5458_: f32;
-    var phi_5457_: u32;
+    var phi_5437_: vec3<f32>;
+    var phi_5438_: vec3<f32>;
+    var phi_5440_: vec3<f32>;
+    var phi_5442_: vec3<f32>;
+    var phi_3098_: bool;
+    var phi_3112_: bool;
+    var phi_4809_: bool;
+    var phi_4815_: bool;
+    var phi_5473_: f32;
+    var phi_5472_: u32;
     var local_3: f32;
-    var phi_5466_: u32;
-    var phi_4850_: bool;
-    var phi_5470_: vec2<f32>;
-    var phi_5471_: vec2<f32>;
-    var phi_5474_: u32;
-    var phi_5475_: u32;
-    var phi_5476_: u32;
+    var phi_4888_: bool;
+    var phi_5482_: vec2<f32>;
+    var phi_5483_: vec2<f32>;
+    var phi_5486_: u32;
+    var phi_5487_: u32;
+    var phi_5488_: u32;
 
     let _e83 = bitcast<u32>(param_1[0u]);
     let _e85 = global.member_44;
@@ -252,9 +251,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e395 != 0u) {
                                 let _e399 = atomicAdd((&global_2.member[0u]), 1u);
                             }
-                            phi_5379_ = 0f;
-                            phi_5375_ = vec2<f32>(0f, 0f);
-                            phi_5374_ = false;
+                            phi_5394_ = 0f;
+                            phi_5390_ = vec2<f32>(0f, 0f);
+                            phi_5389_ = false;
                             break;
                         }
                         let _e401 = global.member;
@@ -263,36 +262,36 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e413 = global.member_8;
                         let _e414 = ((_e410 - _e374) * _e413);
                         if (_e414 < 0f) {
-                            phi_5373_ = (0.015625f / (1f - _e414));
+                            phi_5388_ = (0.015625f / (1f - _e414));
                         } else {
                             if (_e414 > 1f) {
-                                phi_5372_ = (1f - (0.015625f / _e414));
+                                phi_5387_ = (1f - (0.015625f / _e414));
                             } else {
-                                phi_5372_ = (0.015625f + (0.96875f * clamp(_e414, 0f, 1f)));
+                                phi_5387_ = (0.015625f + (0.96875f * clamp(_e414, 0f, 1f)));
                             }
-                            let _e423 = phi_5372_;
-                            phi_5373_ = _e423;
+                            let _e423 = phi_5387_;
+                            phi_5388_ = _e423;
                         }
-                        let _e427 = phi_5373_;
-                        phi_5379_ = _e427;
-                        phi_5375_ = (((_e401 * _e375.xy) / vec2(_e374)) + _e407);
-                        phi_5374_ = true;
+                        let _e427 = phi_5388_;
+                        phi_5394_ = _e427;
+                        phi_5390_ = (((_e401 * _e375.xy) / vec2(_e374)) + _e407);
+                        phi_5389_ = true;
                         break;
                     }
                 }
-                let _e429 = phi_5379_;
-                let _e431 = phi_5375_;
-                let _e433 = phi_5374_;
+                let _e429 = phi_5394_;
+                let _e431 = phi_5390_;
+                let _e433 = phi_5389_;
                 let _e437 = global_7.member[_e97][1u];
                 let _e438 = (_e93 & 31u);
-                phi_5386_ = _e433;
+                phi_5401_ = _e433;
                 if (_e433 && !((((_e437 >> bitcast<u32>(_e438)) & 1u) != 0u))) {
                     switch bitcast<i32>(0u) {
                         default: {
                             let _e454 = global.member_50;
                             let _e459 = max((_e454.xy - _e431), (_e431 - _e454.zw));
                             if !((max(_e459.x, _e459.y) > 0f)) {
-                                phi_5385_ = false;
+                                phi_5400_ = false;
                                 break;
                             }
                             let _e473 = global.member_2;
@@ -309,51 +308,50 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e516 = atomicAdd((&global_2.member[0u]), 1u);
                                 }
                             }
-                            phi_5385_ = _e510;
+                            phi_5400_ = _e510;
                             break;
                         }
                     }
-                    let _e518 = phi_5385_;
-                    phi_5386_ = !(_e518);
+                    let _e518 = phi_5400_;
+                    phi_5401_ = !(_e518);
                 }
-                let _e521 = phi_5386_;
+                let _e521 = phi_5401_;
                 let _e526 = global_7.member[((3u * _e89) + _e93)];
                 let _e529 = (_e526.y >> bitcast<u32>(24u));
                 let _e543 = ((vec3<f32>(f32((_e526.x & 1023u)), f32(((_e526.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e526.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
                 let _e547 = sqrt(max((1f - dot(_e543, _e543)), 0f));
                 let _e549 = (_e526.x >> bitcast<u32>(30u));
                 if (_e549 == 0u) {
-                    phi_5389_ = vec4<f32>(_e547, _e543.x, _e543.y, _e543.z);
+                    phi_5404_ = vec4<f32>(_e547, _e543.x, _e543.y, _e543.z);
                 } else {
                     if (_e549 == 1u) {
-                        phi_5388_ = vec4<f32>(_e543.x, _e547, _e543.y, _e543.z);
+                        phi_5403_ = vec4<f32>(_e543.x, _e547, _e543.y, _e543.z);
                     } else {
                         if (_e549 == 2u) {
-                            phi_5387_ = vec4<f32>(_e543.x, _e543.y, _e547, _e543.z);
+                            phi_5402_ = vec4<f32>(_e543.x, _e543.y, _e547, _e543.z);
                         } else {
-                            phi_5387_ = vec4<f32>(_e543.x, _e543.y, _e543.z, _e547);
+                            phi_5402_ = vec4<f32>(_e543.x, _e543.y, _e543.z, _e547);
                         }
-                        let _e562 = phi_5387_;
-                        phi_5388_ = _e562;
+                        let _e562 = phi_5402_;
+                        phi_5403_ = _e562;
                     }
-                    let _e568 = phi_5388_;
-                    phi_5389_ = _e568;
+                    let _e568 = phi_5403_;
+                    phi_5404_ = _e568;
                 }
-                let _e574 = phi_5389_;
+                let _e574 = phi_5404_;
                 let _e578 = global.member_34;
-                let _e579 = (_e578 > 0u);
-                phi_5399_ = unpack4x8unorm(_e526.y).xyz;
-                if _e579 {
+                phi_5414_ = unpack4x8unorm(_e526.y).xyz;
+                if (_e578 > _e93) {
                     let _e583 = global_7.member[(_e578 + _e93)];
                     let _e585 = unpack2x16float(_e583.x);
-                    phi_5399_ = vec3<f32>(_e585.x, _e585.y, unpack2x16float(_e583.y).x);
+                    phi_5414_ = vec3<f32>(_e585.x, _e585.y, unpack2x16float(_e583.y).x);
                 }
-                let _e593 = phi_5399_;
+                let _e593 = phi_5414_;
                 let _e595 = (1u << bitcast<u32>(_e438));
                 let _e598 = global_7.member[_e97];
                 let _e602 = global_7.member[(_e97 + 1u)];
                 let _e606 = global_7.member[(_e97 + 2u)];
-                phi_5416_ = _e574;
+                phi_5431_ = _e574;
                 if ((_e598.x & _e595) != 0u) {
                     let _e617 = global.member_22;
                     let _e619 = global.member_18;
@@ -362,354 +360,338 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e627 = global_6.member[_e623];
                     let _e629 = global.member_40;
                     let _e633 = global.member_19;
-                    phi_5401_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5400_ = 0u;
+                    let _e637 = min(_e619, (_e627 | _e619));
+                    phi_5416_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5415_ = 0u;
                     loop {
-                        let _e637 = phi_5401_;
-                        let _e639 = phi_5400_;
-                        let _e641 = (2u * ((_e629 + ((_e627 >> bitcast<u32>(16u)) * _e633)) + _e639));
-                        let _e644 = global_1.member[_e641];
-                        let _e648 = global_1.member[(_e641 + 1u)];
-                        let _e654 = bitcast<vec4<f32>>(vec4<u32>(_e644.x, _e644.y, _e648.x, _e648.y));
-                        let _e658 = global_6.member[(_e624 + _e639)];
-                        let _e665 = global_6.member[((_e624 + _e619) + _e639)];
-                        let _e673 = global_6.member[((_e624 + (2u * _e619)) + _e639)];
-                        let _e681 = global_6.member[((_e624 + (3u * _e619)) + _e639)];
-                        let _e685 = (_e637 + vec4<f32>(dot(unpack4x8snorm(_e658), _e654), dot(unpack4x8snorm(_e665), _e654), dot(unpack4x8snorm(_e673), _e654), dot(unpack4x8snorm(_e681), _e654)));
-                        let _e687 = (_e639 + bitcast<u32>(1i));
-                        phi_5401_ = _e685;
-                        phi_5400_ = _e687;
-                        local = _e685;
-                        if (_e687 < _e619) {
+                        let _e639 = phi_5416_;
+                        let _e641 = phi_5415_;
+                        let _e643 = (2u * ((_e629 + ((_e627 >> bitcast<u32>(16u)) * _e633)) + _e641));
+                        let _e646 = global_1.member[_e643];
+                        let _e650 = global_1.member[(_e643 + 1u)];
+                        let _e656 = bitcast<vec4<f32>>(vec4<u32>(_e646.x, _e646.y, _e650.x, _e650.y));
+                        let _e660 = global_6.member[(_e624 + _e641)];
+                        let _e667 = global_6.member[((_e624 + _e637) + _e641)];
+                        let _e675 = global_6.member[((_e624 + (2u * _e637)) + _e641)];
+                        let _e683 = global_6.member[((_e624 + (3u * _e637)) + _e641)];
+                        let _e687 = (_e639 + vec4<f32>(dot(unpack4x8snorm(_e660), _e656), dot(unpack4x8snorm(_e667), _e656), dot(unpack4x8snorm(_e675), _e656), dot(unpack4x8snorm(_e683), _e656)));
+                        let _e689 = (_e641 + bitcast<u32>(1i));
+                        phi_5416_ = _e687;
+                        phi_5415_ = _e689;
+                        local = _e687;
+                        if (_e689 < _e637) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e693 = local;
-                    let _e695 = (_e574 + (_e693 * (127f * unpack2x16float(_e627).x)));
-                    phi_5416_ = select(_e574, _e695, vec4((length(_e695) >= 0.001f)));
+                    let _e695 = local;
+                    let _e697 = (_e574 + (_e695 * (127f * unpack2x16float(_e627).x)));
+                    phi_5431_ = select(_e574, _e697, vec4((length(_e697) >= 0.001f)));
                 }
-                let _e701 = phi_5416_;
-                phi_5420_ = _e266;
+                let _e703 = phi_5431_;
+                phi_5435_ = _e266;
                 if ((_e598.y & _e595) != 0u) {
-                    let _e712 = global.member_23;
-                    let _e714 = global.member_18;
-                    let _e718 = (_e712 + ((_e606.x + bitcast<u32>(countOneBits((_e598.y & (_e595 - 1u))))) * (1u + (3u * _e714))));
-                    let _e719 = (_e718 + 1u);
-                    let _e722 = global_6.member[_e718];
-                    let _e724 = global.member_40;
-                    let _e728 = global.member_19;
-                    phi_5404_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5403_ = 0u;
+                    let _e714 = global.member_23;
+                    let _e716 = global.member_18;
+                    let _e720 = (_e714 + ((_e606.x + bitcast<u32>(countOneBits((_e598.y & (_e595 - 1u))))) * (1u + (3u * _e716))));
+                    let _e721 = (_e720 + 1u);
+                    let _e724 = global_6.member[_e720];
+                    let _e726 = global.member_40;
+                    let _e730 = global.member_19;
+                    let _e734 = min(_e716, (_e724 | _e716));
+                    phi_5419_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5418_ = 0u;
                     loop {
-                        let _e732 = phi_5404_;
-                        let _e734 = phi_5403_;
-                        let _e736 = (2u * ((_e724 + ((_e722 >> bitcast<u32>(16u)) * _e728)) + _e734));
-                        let _e739 = global_1.member[_e736];
-                        let _e743 = global_1.member[(_e736 + 1u)];
-                        let _e749 = bitcast<vec4<f32>>(vec4<u32>(_e739.x, _e739.y, _e743.x, _e743.y));
-                        let _e753 = global_6.member[(_e719 + _e734)];
-                        let _e760 = global_6.member[((_e719 + _e714) + _e734)];
-                        let _e768 = global_6.member[((_e719 + (2u * _e714)) + _e734)];
-                        let _e772 = (_e732 + vec3<f32>(dot(unpack4x8snorm(_e753), _e749), dot(unpack4x8snorm(_e760), _e749), dot(unpack4x8snorm(_e768), _e749)));
-                        let _e774 = (_e734 + bitcast<u32>(1i));
-                        phi_5404_ = _e772;
-                        phi_5403_ = _e774;
-                        local_1 = _e772;
-                        if (_e774 < _e714) {
+                        let _e736 = phi_5419_;
+                        let _e738 = phi_5418_;
+                        let _e740 = (2u * ((_e726 + ((_e724 >> bitcast<u32>(16u)) * _e730)) + _e738));
+                        let _e743 = global_1.member[_e740];
+                        let _e747 = global_1.member[(_e740 + 1u)];
+                        let _e753 = bitcast<vec4<f32>>(vec4<u32>(_e743.x, _e743.y, _e747.x, _e747.y));
+                        let _e757 = global_6.member[(_e721 + _e738)];
+                        let _e764 = global_6.member[((_e721 + _e734) + _e738)];
+                        let _e772 = global_6.member[((_e721 + (2u * _e734)) + _e738)];
+                        let _e776 = (_e736 + vec3<f32>(dot(unpack4x8snorm(_e757), _e753), dot(unpack4x8snorm(_e764), _e753), dot(unpack4x8snorm(_e772), _e753)));
+                        let _e778 = (_e738 + bitcast<u32>(1i));
+                        phi_5419_ = _e776;
+                        phi_5418_ = _e778;
+                        local_1 = _e776;
+                        if (_e778 < _e734) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e780 = local_1;
-                    phi_5420_ = (_e266 + (_e780 * (127f * unpack2x16float(_e722).x)));
+                    let _e784 = local_1;
+                    phi_5435_ = (_e266 + (_e784 * (127f * unpack2x16float(_e724).x)));
                 }
-                let _e784 = phi_5420_;
-                phi_5422_ = _e593;
+                let _e788 = phi_5435_;
+                phi_5437_ = _e593;
                 if ((_e602.x & _e595) != 0u) {
-                    let _e795 = global.member_24;
-                    let _e797 = global.member_18;
-                    let _e801 = (_e795 + ((_e606.y + bitcast<u32>(countOneBits((_e602.x & (_e595 - 1u))))) * (3u + (3u * _e797))));
-                    let _e805 = global_6.member[(_e801 + 1u)];
-                    let _e806 = unpack2x16float(_e805);
-                    let _e810 = global_6.member[(_e801 + 2u)];
-                    let _e818 = (_e801 + 3u);
-                    let _e821 = global_6.member[_e801];
-                    let _e823 = global.member_40;
-                    let _e827 = global.member_19;
-                    phi_5413_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5412_ = 0u;
+                    let _e799 = global.member_24;
+                    let _e801 = global.member_18;
+                    let _e805 = (_e799 + ((_e606.y + bitcast<u32>(countOneBits((_e602.x & (_e595 - 1u))))) * (3u + (3u * _e801))));
+                    let _e809 = global_6.member[(_e805 + 1u)];
+                    let _e810 = unpack2x16float(_e809);
+                    let _e814 = global_6.member[(_e805 + 2u)];
+                    let _e823 = (_e805 + 3u);
+                    let _e826 = global_6.member[_e805];
+                    let _e828 = global.member_40;
+                    let _e832 = global.member_19;
+                    let _e836 = min(_e801, (_e826 | _e801));
+                    phi_5428_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5427_ = 0u;
                     loop {
-                        let _e831 = phi_5413_;
-                        let _e833 = phi_5412_;
-                        let _e835 = (2u * ((_e823 + ((_e821 >> bitcast<u32>(16u)) * _e827)) + _e833));
-                        let _e838 = global_1.member[_e835];
-                        let _e842 = global_1.member[(_e835 + 1u)];
-                        let _e848 = bitcast<vec4<f32>>(vec4<u32>(_e838.x, _e838.y, _e842.x, _e842.y));
-                        let _e852 = global_6.member[(_e818 + _e833)];
-                        let _e859 = global_6.member[((_e818 + _e797) + _e833)];
-                        let _e867 = global_6.member[((_e818 + (2u * _e797)) + _e833)];
-                        let _e871 = (_e831 + vec3<f32>(dot(unpack4x8snorm(_e852), _e848), dot(unpack4x8snorm(_e859), _e848), dot(unpack4x8snorm(_e867), _e848)));
-                        let _e873 = (_e833 + bitcast<u32>(1i));
-                        phi_5413_ = _e871;
-                        phi_5412_ = _e873;
-                        local_2 = _e871;
-                        if (_e873 < _e797) {
+                        let _e838 = phi_5428_;
+                        let _e840 = phi_5427_;
+                        let _e842 = (2u * ((_e828 + ((_e826 >> bitcast<u32>(16u)) * _e832)) + _e840));
+                        let _e845 = global_1.member[_e842];
+                        let _e849 = global_1.member[(_e842 + 1u)];
+                        let _e855 = bitcast<vec4<f32>>(vec4<u32>(_e845.x, _e845.y, _e849.x, _e849.y));
+                        let _e859 = global_6.member[(_e823 + _e840)];
+                        let _e866 = global_6.member[((_e823 + _e836) + _e840)];
+                        let _e874 = global_6.member[((_e823 + (2u * _e836)) + _e840)];
+                        let _e878 = (_e838 + vec3<f32>(dot(unpack4x8snorm(_e859), _e855), dot(unpack4x8snorm(_e866), _e855), dot(unpack4x8snorm(_e874), _e855)));
+                        let _e880 = (_e840 + bitcast<u32>(1i));
+                        phi_5428_ = _e878;
+                        phi_5427_ = _e880;
+                        local_2 = _e878;
+                        if (_e880 < _e836) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e879 = local_2;
-                    phi_5422_ = (select(vec3<f32>(_e806.x, _e806.y, unpack2x16float(_e810).x), _e593, vec3(_e579)) + (_e879 * (127f * unpack2x16float(_e821).x)));
+                    let _e886 = local_2;
+                    phi_5437_ = (select(vec3<f32>(_e810.x, _e810.y, unpack2x16float(_e814).x), _e593, vec3((_e578 > 0u))) + (_e886 * (127f * unpack2x16float(_e826).x)));
                 }
-                let _e883 = phi_5422_;
-                let _e884 = normalize(_e701);
-                let _e889 = (_e884.z * _e884.z);
-                let _e890 = (_e884.w * _e884.w);
-                let _e894 = (_e884.y * _e884.z);
-                let _e895 = (_e884.x * _e884.w);
-                let _e898 = (_e884.y * _e884.w);
-                let _e899 = (_e884.x * _e884.z);
-                let _e904 = (_e884.y * _e884.y);
-                let _e908 = (_e884.z * _e884.w);
-                let _e909 = (_e884.x * _e884.y);
-                let _e923 = exp(min(_e784, vec3<f32>(9f, 9f, 9f)));
-                let _e930 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e889 + _e890))), (2f * (_e894 + _e895)), (2f * (_e898 - _e899))) * _e923.x), (vec3<f32>((2f * (_e894 - _e895)), (1f - (2f * (_e904 + _e890))), (2f * (_e908 + _e909))) * _e923.y), (vec3<f32>((2f * (_e898 + _e899)), (2f * (_e908 - _e909)), (1f - (2f * (_e904 + _e889)))) * _e923.z));
-                let _e932 = (transpose(mat3x3<f32>(_e385, _e386, _e387)) * _e930);
-                let _e934 = global.member_38;
-                let _e936 = (_e934 + (3u * _e83));
-                let _e937 = transpose(_e932);
-                let _e946 = sqrt(max(max(dot(_e937[0], _e937[0]), dot(_e937[1], _e937[1])), dot(_e937[2], _e937[2])));
-                let _e948 = global.member_39;
-                let _e959 = (all((abs(_e375) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e946 <= 1000000000000000000f));
-                if _e959 {
-                    let _e961 = global.member_51;
-                    let _e965 = global.member_52;
-                    phi_5423_ = ((_e375 - _e961.xyz) / _e965.xyz);
+                let _e890 = phi_5437_;
+                let _e891 = normalize(_e703);
+                let _e896 = (_e891.z * _e891.z);
+                let _e897 = (_e891.w * _e891.w);
+                let _e901 = (_e891.y * _e891.z);
+                let _e902 = (_e891.x * _e891.w);
+                let _e905 = (_e891.y * _e891.w);
+                let _e906 = (_e891.x * _e891.z);
+                let _e911 = (_e891.y * _e891.y);
+                let _e915 = (_e891.z * _e891.w);
+                let _e916 = (_e891.x * _e891.y);
+                let _e930 = exp(min(_e788, vec3<f32>(9f, 9f, 9f)));
+                let _e937 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e896 + _e897))), (2f * (_e901 + _e902)), (2f * (_e905 - _e906))) * _e930.x), (vec3<f32>((2f * (_e901 - _e902)), (1f - (2f * (_e911 + _e897))), (2f * (_e915 + _e916))) * _e930.y), (vec3<f32>((2f * (_e905 + _e906)), (2f * (_e915 - _e916)), (1f - (2f * (_e911 + _e896)))) * _e930.z));
+                let _e939 = (transpose(mat3x3<f32>(_e385, _e386, _e387)) * _e937);
+                let _e941 = global.member_38;
+                let _e943 = (_e941 + (3u * _e83));
+                let _e944 = transpose(_e939);
+                let _e953 = sqrt(max(max(dot(_e944[0], _e944[0]), dot(_e944[1], _e944[1])), dot(_e944[2], _e944[2])));
+                let _e955 = global.member_39;
+                let _e966 = (all((abs(_e375) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e953 <= 1000000000000000000f));
+                if _e966 {
+                    let _e968 = global.member_51;
+                    let _e972 = global.member_52;
+                    phi_5438_ = ((_e375 - _e968.xyz) / _e972.xyz);
                 } else {
-                    phi_5423_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5438_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e969 = phi_5423_;
-                let _e986 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e969, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e969, vec3<f32>(0f, 0f, 0f)))), (_e969 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e969, vec3<f32>(1f, 1f, 1f)))), (_e969 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 16777215f)));
-                let _e988 = (_e986 >> bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u)));
-                let _e989 = (_e986 & vec3<u32>(255u, 255u, 255u));
-                let _e1005 = ((_e988.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e946 / _e948), 0.000000000000000000000000000001f))) + 152f)), _e959), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e529, _e959) << bitcast<u32>(24u)));
-                let _e1022 = vec3<f32>(_e932[0].x, _e932[1].x, _e932[2].x);
-                let _e1029 = vec3<f32>(_e932[0].y, _e932[1].y, _e932[2].y);
-                let _e1036 = vec3<f32>(_e932[0].z, _e932[1].z, _e932[2].z);
-                let _e1037 = length(_e1022);
-                if (_e1037 > 0f) {
-                    phi_5425_ = (_e1022 / vec3(_e1037));
+                let _e976 = phi_5438_;
+                let _e993 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e976, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e976, vec3<f32>(0f, 0f, 0f)))), (_e976 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e976, vec3<f32>(1f, 1f, 1f)))), (_e976 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 16777215f)));
+                let _e995 = (_e993 >> bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u)));
+                let _e996 = (_e993 & vec3<u32>(255u, 255u, 255u));
+                let _e1012 = ((_e995.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e953 / _e955), 0.000000000000000000000000000001f))) + 152f)), _e966), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e529, _e966) << bitcast<u32>(24u)));
+                let _e1029 = vec3<f32>(_e939[0].x, _e939[1].x, _e939[2].x);
+                let _e1036 = vec3<f32>(_e939[0].y, _e939[1].y, _e939[2].y);
+                let _e1043 = vec3<f32>(_e939[0].z, _e939[1].z, _e939[2].z);
+                let _e1044 = length(_e1029);
+                if (_e1044 > 0f) {
+                    phi_5440_ = (_e1029 / vec3(_e1044));
                 } else {
-                    phi_5425_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5440_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1042 = phi_5425_;
-                let _e1043 = dot(_e1029, _e1042);
-                let _e1045 = (_e1029 - (_e1042 * _e1043));
-                let _e1046 = length(_e1045);
-                if (_e1046 > 0f) {
-                    phi_5427_ = (_e1045 / vec3(_e1046));
+                let _e1049 = phi_5440_;
+                let _e1050 = dot(_e1036, _e1049);
+                let _e1052 = (_e1036 - (_e1049 * _e1050));
+                let _e1053 = length(_e1052);
+                if (_e1053 > 0f) {
+                    phi_5442_ = (_e1052 / vec3(_e1053));
                 } else {
-                    phi_5427_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5442_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1051 = phi_5427_;
-                let _e1052 = dot(_e1036, _e1042);
-                let _e1053 = dot(_e1036, _e1051);
-                let _e1067 = (1023f / (_e948 * exp2(((f32(((_e1005 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
-                let _e1085 = vec3<u32>(round((clamp(_e883, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                let _e1088 = ((vec3<u32>(clamp((round((vec3<f32>(_e1037, _e1046, _e1053) * _e1067)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1043, _e1052, length(((_e1036 - (_e1042 * _e1052)) - (_e1051 * _e1053)))) * _e1067)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1085 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
-                global_4.member[_e936] = (_e988.x | (_e988.y << bitcast<u32>(16u)));
-                global_4.member[(_e936 + 1u)] = _e1005;
-                global_4.member[(_e936 + 2u)] = ((_e989.x | (_e989.y << bitcast<u32>(8u))) | (_e989.z << bitcast<u32>(16u)));
-                let _e1099 = (_e934 + (3u * (_e85 + _e83)));
-                global_4.member[_e1099] = _e1088.x;
-                global_4.member[(_e1099 + 1u)] = _e1088.y;
-                global_4.member[(_e1099 + 2u)] = _e1088.z;
-                phi_3088_ = _e521;
+                let _e1058 = phi_5442_;
+                let _e1059 = dot(_e1043, _e1049);
+                let _e1060 = dot(_e1043, _e1058);
+                let _e1074 = (1023f / (_e955 * exp2(((f32(((_e1012 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
+                let _e1092 = vec3<u32>(round((clamp(_e890, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                let _e1095 = ((vec3<u32>(clamp((round((vec3<f32>(_e1044, _e1053, _e1060) * _e1074)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1050, _e1059, length(((_e1043 - (_e1049 * _e1059)) - (_e1058 * _e1060)))) * _e1074)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1092 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
+                global_4.member[_e943] = (_e995.x | (_e995.y << bitcast<u32>(16u)));
+                global_4.member[(_e943 + 1u)] = _e1012;
+                global_4.member[(_e943 + 2u)] = ((_e996.x | (_e996.y << bitcast<u32>(8u))) | (_e996.z << bitcast<u32>(16u)));
+                let _e1106 = (_e941 + (3u * (_e85 + _e83)));
+                global_4.member[_e1106] = _e1095.x;
+                global_4.member[(_e1106 + 1u)] = _e1095.y;
+                global_4.member[(_e1106 + 2u)] = _e1095.z;
+                phi_3098_ = _e521;
                 if _e521 {
-                    let _e1113 = global.member_29;
-                    phi_3088_ = (f32(_e529) <= _e1113);
+                    let _e1120 = global.member_29;
+                    phi_3098_ = (f32(_e529) <= _e1120);
                 }
-                let _e1116 = phi_3088_;
-                if _e1116 {
-                    let _e1118 = global_3.member_9;
-                    if (_e1118 != 0u) {
-                        let _e1122 = atomicAdd((&global_2.member[1u]), 1u);
+                let _e1123 = phi_3098_;
+                if _e1123 {
+                    let _e1125 = global_3.member_9;
+                    if (_e1125 != 0u) {
+                        let _e1129 = atomicAdd((&global_2.member[1u]), 1u);
                     }
                 }
-                let _e1123 = !(_e521);
-                phi_3102_ = _e1123;
-                if !(_e1123) {
-                    let _e1127 = global.member_29;
-                    phi_3102_ = (f32(_e529) <= _e1127);
+                let _e1130 = !(_e521);
+                phi_3112_ = _e1130;
+                if !(_e1130) {
+                    let _e1134 = global.member_29;
+                    phi_3112_ = (f32(_e529) <= _e1134);
                 }
-                let _e1130 = phi_3102_;
-                if _e1130 {
-                    phi_5475_ = 4294967295u;
+                let _e1137 = phi_3112_;
+                if _e1137 {
+                    phi_5487_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1136 = global.member_2;
-                        let _e1138 = global.member_3;
-                        let _e1139 = clamp((_e375.xy / vec2(_e374)), _e1136, _e1138);
-                        let _e1142 = global.member[0u];
-                        let _e1148 = (((_e385 - (_e387 * _e1139.x)) * (_e1142 / _e374)) * _e930);
-                        let _e1151 = global.member[1u];
-                        let _e1157 = (((_e386 - (_e387 * _e1139.y)) * (_e1151 / _e374)) * _e930);
-                        let _e1159 = global.member_47;
-                        let _e1161 = (dot(_e1148, _e1148) + _e1159);
-                        let _e1164 = (dot(_e1157, _e1157) + _e1159);
-                        let _e1166 = cross(_e1148, _e1157);
-                        let _e1167 = dot(_e1166, _e1166);
-                        let _e1171 = (_e1167 + (_e1159 * ((_e1161 + _e1164) - _e1159)));
-                        let _e1172 = (_e1171 > 0f);
-                        phi_4766_ = _e1172;
-                        if _e1172 {
-                            phi_4766_ = (_e1161 <= 1000000000000000000f);
+                        let _e1143 = global.member_2;
+                        let _e1145 = global.member_3;
+                        let _e1146 = clamp((_e375.xy / vec2(_e374)), _e1143, _e1145);
+                        let _e1149 = global.member[0u];
+                        let _e1155 = (((_e385 - (_e387 * _e1146.x)) * (_e1149 / _e374)) * _e937);
+                        let _e1158 = global.member[1u];
+                        let _e1164 = (((_e386 - (_e387 * _e1146.y)) * (_e1158 / _e374)) * _e937);
+                        let _e1166 = global.member_47;
+                        let _e1168 = (dot(_e1155, _e1155) + _e1166);
+                        let _e1171 = (dot(_e1164, _e1164) + _e1166);
+                        let _e1173 = cross(_e1155, _e1164);
+                        let _e1174 = dot(_e1173, _e1173);
+                        let _e1178 = (_e1174 + (_e1166 * ((_e1168 + _e1171) - _e1166)));
+                        let _e1179 = (_e1178 > 0f);
+                        phi_4809_ = _e1179;
+                        if _e1179 {
+                            phi_4809_ = (_e1168 <= 1000000000000000000f);
                         }
-                        let _e1175 = phi_4766_;
-                        phi_4772_ = _e1175;
-                        if _e1175 {
-                            phi_4772_ = (_e1164 <= 1000000000000000000f);
+                        let _e1182 = phi_4809_;
+                        phi_4815_ = _e1182;
+                        if _e1182 {
+                            phi_4815_ = (_e1171 <= 1000000000000000000f);
                         }
-                        let _e1178 = phi_4772_;
-                        if !(_e1178) {
-                            let _e1181 = global_3.member_9;
-                            if (_e1181 != 0u) {
-                                let _e1185 = atomicAdd((&global_2.member[2u]), 1u);
+                        let _e1185 = phi_4815_;
+                        if !(_e1185) {
+                            let _e1188 = global_3.member_9;
+                            if (_e1188 != 0u) {
+                                let _e1192 = atomicAdd((&global_2.member[2u]), 1u);
                             }
-                            phi_5474_ = 4294967295u;
+                            phi_5486_ = 4294967295u;
                             break;
                         }
-                        phi_5458_ = (1f - (f32(_e529) * 0.003921569f));
-                        phi_5457_ = 0u;
+                        phi_5473_ = (1f - (f32(_e529) * 0.003921569f));
+                        phi_5472_ = 0u;
                         loop {
-                            let _e1190 = phi_5458_;
-                            let _e1192 = phi_5457_;
-                            local_3 = _e1190;
-                            if (_e1192 < 3u) {
+                            let _e1197 = phi_5473_;
+                            let _e1199 = phi_5472_;
+                            local_3 = _e1197;
+                            if (_e1199 < 3u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5458_ = select(_e1190, (_e1190 * _e1190), (_e1192 < _e91));
-                                phi_5457_ = (_e1192 + bitcast<u32>(1i));
+                                phi_5473_ = select(_e1197, (_e1197 * _e1197), (_e1199 < _e91));
+                                phi_5472_ = (_e1199 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1200 = local_3;
-                        let _e1204 = u32(round((255f * (1f - _e1200))));
-                        let _e1206 = global.member_48;
-                        phi_5466_ = _e1204;
-                        if (_e1206 > 0f) {
-                            let _e1216 = u32(round((f32(_e1204) * ((1f - _e1206) + (_e1206 * sqrt((_e1167 / _e1171)))))));
-                            let _e1219 = global.member_29;
-                            if (f32(_e1216) <= _e1219) {
-                                let _e1222 = global_3.member_9;
-                                if (_e1222 != 0u) {
-                                    let _e1226 = atomicAdd((&global_2.member[1u]), 1u);
-                                }
-                                phi_5474_ = 4294967295u;
-                                break;
+                        let _e1207 = local_3;
+                        let _e1215 = global.member_48;
+                        let _e1222 = u32(round((f32(u32(round((255f * (1f - _e1207))))) * ((1f - _e1215) + (_e1215 * sqrt((_e1174 / _e1178)))))));
+                        let _e1223 = f32(_e1222);
+                        let _e1225 = global.member_29;
+                        if (_e1223 <= _e1225) {
+                            let _e1228 = global_3.member_9;
+                            if (_e1228 != 0u) {
+                                let _e1232 = atomicAdd((&global_2.member[1u]), 1u);
                             }
-                            phi_5466_ = _e1216;
-                        }
-                        let _e1228 = phi_5466_;
-                        let _e1230 = global.member_45;
-                        let _e1231 = (vec3<f32>(_e1161, dot(_e1148, _e1157), _e1164) * _e1230);
-                        let _e1236 = global.member_29;
-                        let _e1246 = global.member_49;
-                        let _e1247 = ((sqrt(_e1231.xz) * sqrt((2f * log(max((f32(_e1228) / _e1236), 1f))))) * _e1246);
-                        let _e1250 = global.member_50;
-                        let _e1253 = all(((_e431 + _e1247) > _e1250.xy));
-                        phi_4850_ = _e1253;
-                        if _e1253 {
-                            phi_4850_ = all(((_e431 - _e1247) < _e1250.zw));
-                        }
-                        let _e1259 = phi_4850_;
-                        if !(_e1259) {
-                            let _e1262 = global_3.member_9;
-                            if (_e1262 != 0u) {
-                                let _e1266 = atomicAdd((&global_2.member[0u]), 1u);
-                            }
-                            phi_5474_ = 4294967295u;
+                            phi_5486_ = 4294967295u;
                             break;
                         }
-                        let _e1270 = (0.5f * (_e1231.x - _e1231.z));
-                        let _e1275 = sqrt(((_e1270 * _e1270) + (_e1231.y * _e1231.y)));
-                        let _e1278 = ((0.5f * (_e1231.x + _e1231.z)) + _e1275);
-                        if (_e1270 >= 0f) {
-                            phi_5470_ = vec2<f32>((_e1270 + _e1275), _e1231.y);
-                        } else {
-                            phi_5470_ = vec2<f32>(_e1231.y, (_e1275 - _e1270));
+                        let _e1234 = global.member_45;
+                        let _e1235 = (vec3<f32>(_e1168, dot(_e1155, _e1164), _e1171) * _e1234);
+                        let _e1247 = global.member_49;
+                        let _e1248 = ((sqrt(_e1235.xz) * sqrt((2f * log(max((_e1223 / _e1225), 1f))))) * _e1247);
+                        let _e1251 = global.member_50;
+                        let _e1254 = all(((_e431 + _e1248) > _e1251.xy));
+                        phi_4888_ = _e1254;
+                        if _e1254 {
+                            phi_4888_ = all(((_e431 - _e1248) < _e1251.zw));
                         }
-                        let _e1285 = phi_5470_;
-                        if (_e1275 > (0.00000001f * _e1278)) {
-                            phi_5471_ = normalize(_e1285);
-                        } else {
-                            phi_5471_ = vec2<f32>(1f, 0f);
+                        let _e1260 = phi_4888_;
+                        if !(_e1260) {
+                            let _e1263 = global_3.member_9;
+                            if (_e1263 != 0u) {
+                                let _e1267 = atomicAdd((&global_2.member[0u]), 1u);
+                            }
+                            phi_5486_ = 4294967295u;
+                            break;
                         }
-                        let _e1290 = phi_5471_;
-                        let _e1298 = max(-(_e431), (_e431 * 0.5f));
-                        let _e1303 = global.member_5;
-                        let _e1304 = (max(_e1298.x, _e1298.y) / _e1303);
-                        let _e1312 = ((select(0u, 1u, (_e1304 > 1f)) + select(0u, 1u, (_e1304 > 64f))) + select(0u, 1u, (_e1304 > 4096f)));
-                        let _e1321 = global.member_10;
-                        let _e1325 = vec2<u32>(clamp(round((((_e431 * exp2(-(f32((_e1312 * 6u))))) + vec2(_e1303)) * _e1321)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1356 = global.member_41;
-                        let _e1358 = (4u * (_e1356 + _e83));
-                        global_4.member[_e1358] = ((_e1325.x | (_e1085.x << bitcast<u32>(20u))) | (_e1085.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1358 + 1u)] = ((_e1325.y | (_e1085.y << bitcast<u32>(20u))) | (_e1312 << bitcast<u32>(30u)));
-                        global_4.member[(_e1358 + 2u)] = pack2x16float((_e1290 * min(sqrt(_e1278), 65504f)));
-                        global_4.member[(_e1358 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1171 * (_e1230 * _e1230)) / _e1278)), 65504f), 0f)) | (_e1228 << bitcast<u32>(16u))) | ((_e1085.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1371 = global.member_9;
-                        phi_5474_ = min(u32((_e429 * f32(_e1371))), _e1371);
+                        let _e1271 = (0.5f * (_e1235.x - _e1235.z));
+                        let _e1276 = sqrt(((_e1271 * _e1271) + (_e1235.y * _e1235.y)));
+                        let _e1279 = ((0.5f * (_e1235.x + _e1235.z)) + _e1276);
+                        if (_e1271 >= 0f) {
+                            phi_5482_ = vec2<f32>((_e1271 + _e1276), _e1235.y);
+                        } else {
+                            phi_5482_ = vec2<f32>(_e1235.y, (_e1276 - _e1271));
+                        }
+                        let _e1286 = phi_5482_;
+                        if (_e1276 > (0.00000001f * _e1279)) {
+                            phi_5483_ = normalize(_e1286);
+                        } else {
+                            phi_5483_ = vec2<f32>(1f, 0f);
+                        }
+                        let _e1291 = phi_5483_;
+                        let _e1299 = max(-(_e431), (_e431 * 0.5f));
+                        let _e1304 = global.member_5;
+                        let _e1305 = (max(_e1299.x, _e1299.y) / _e1304);
+                        let _e1313 = ((select(0u, 1u, (_e1305 > 1f)) + select(0u, 1u, (_e1305 > 64f))) + select(0u, 1u, (_e1305 > 4096f)));
+                        let _e1322 = global.member_10;
+                        let _e1326 = vec2<u32>(clamp(round((((_e431 * exp2(-(f32((_e1313 * 6u))))) + vec2(_e1304)) * _e1322)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1357 = global.member_41;
+                        let _e1359 = (4u * (_e1357 + _e83));
+                        global_4.member[_e1359] = ((_e1326.x | (_e1092.x << bitcast<u32>(20u))) | (_e1092.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1359 + 1u)] = ((_e1326.y | (_e1092.y << bitcast<u32>(20u))) | (_e1313 << bitcast<u32>(30u)));
+                        global_4.member[(_e1359 + 2u)] = pack2x16float((_e1291 * min(sqrt(_e1279), 65504f)));
+                        global_4.member[(_e1359 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1178 * (_e1234 * _e1234)) / _e1279)), 65504f), 0f)) | (_e1222 << bitcast<u32>(16u))) | ((_e1092.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1372 = global.member_9;
+                        phi_5486_ = min(u32((_e429 * f32(_e1372))), _e1372);
                         break;
                     }
                 }
-                let _e1377 = phi_5474_;
-                phi_5475_ = _e1377;
+                let _e1378 = phi_5486_;
+                phi_5487_ = _e1378;
                 break;
             }
         }
-        let _e1379 = phi_5475_;
-        phi_5476_ = _e1379;
+        let _e1380 = phi_5487_;
+        phi_5488_ = _e1380;
     } else {
-        phi_5476_ = 4294967295u;
+        phi_5488_ = 4294967295u;
     }
-    let _e1381 = phi_5476_;
-    switch bitcast<i32>(0u) {
-        default: {
-            let _e1384 = bitcast<u32>(param[0u]);
-            let _e1386 = global.member_41;
-            let _e1387 = (_e1386 + _e83);
-            if (_e1381 != 4294967295u) {
-                let _e1390 = global.member_37;
-                let _e1394 = global.member_36;
-                let _e1400 = atomicAdd((&global_2.member[((_e1394 + ((_e1387 / _e1390) * 256u)) + (_e1381 & 255u))]), 1u);
-            }
-            let _e1402 = global.member_35;
-            if (_e1402 == 0u) {
-                if (_e83 < (_e85 + (_e85 & 1u))) {
-                    let _e1408 = global.member_28;
-                    global_4.member[(_e1408 + _e1387)] = _e1381;
-                }
-                break;
-            }
-            global_5[_e1384] = _e1381;
-            workgroupBarrier();
-            let _e1414 = ((_e1384 & 1u) == 0u);
-            if select(_e1414, _e86, _e1414) {
-                let _e1417 = global.member_28;
-                let _e1424 = global_5[(_e1384 + 1u)];
-                global_4.member[(_e1417 + (_e1387 >> bitcast<u32>(1u)))] = ((_e1381 & 65535u) | (_e1424 << bitcast<u32>(16u)));
-            }
-            break;
-        }
+    let _e1382 = phi_5488_;
+    let _e1384 = bitcast<u32>(param[0u]);
+    let _e1386 = global.member_41;
+    let _e1387 = (_e1386 + _e83);
+    if (_e1382 != 4294967295u) {
+        let _e1390 = global.member_37;
+        let _e1394 = global.member_36;
+        let _e1400 = atomicAdd((&global_2.member[((_e1394 + ((_e1387 / _e1390) * 256u)) + (_e1382 & 255u))]), 1u);
+    }
+    global_5[_e1384] = _e1382;
+    workgroupBarrier();
+    let _e1403 = ((_e1384 & 1u) == 0u);
+    if select(_e1403, _e86, _e1403) {
+        let _e1406 = global.member_28;
+        let _e1413 = global_5[(_e1384 + 1u)];
+        global_4.member[(_e1406 + (_e1387 >> bitcast<u32>(1u)))] = ((_e1382 & 65535u) | (_e1413 << bitcast<u32>(16u)));
     }
     return;
 }

@@ -111,13 +111,14 @@ impl Project {
         };
         let buffer = splat_buffer(gpu, layout.posed)?;
         let workgroup = options.workgroup.unwrap_or(PROJECT_WORKGROUP);
+        let halves = u32::from(options.keys().halves());
         let kernel = |module, stores: u32, storage: &[Slice]| {
             let resources = Resources {
                 uniform: Some(frame),
                 storage,
                 image: None,
             };
-            let constants = [stores, counting[0], counting[1], workgroup];
+            let constants = [stores, counting[0], counting[1], workgroup, halves];
             Kernel::new(gpu, module, &constants, resources, Launch::default())
         };
         let set = |set: &GaussianSet| -> Result<SetKernels> {
