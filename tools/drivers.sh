@@ -26,25 +26,9 @@ install=(apt-get -o DPkg::Lock::Timeout=300 install -qq -y --no-install-recommen
 as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
 DEBIAN_FRONTEND=noninteractive as_root "${install[@]}" mesa-vulkan-drivers libvulkan1 chromium vulkan-validationlayers xvfb xdotool >/dev/null
 
-# The lists of the backports suite, kept apart from the system's own.
-mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | sed -n 1p)
-[ -n "$mirror" ] || mirror=$(awk '/^URIs:/{print $2; exit}' /etc/apt/sources.list.d/*.sources)
-apt="$dest/apt"
-mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$dest/mesa25"
-echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror bookworm-backports main" > "$apt/sources.list"
-options=(-o Dir::Etc::sourcelist="$apt/sources.list" -o Dir::Etc::sourceparts=/nonexistent -o Dir::State::lists="$apt/lists" -o Dir::Cache="$apt/cache" -o APT::Sandbox::User=root)
-apt-get "${options[@]}" update -qq
-(cd "$apt" && apt-get "${options[@]}" download -q mesa-vulkan-drivers/bookworm-backports >/dev/null)
-dpkg -x "$apt"/mesa-vulkan-drivers_*.deb "$dest/mesa25"
-rm -rf "$apt"
-
-icd() { # NAME LIBRARY VERSION
-  [ -s "$2" ] || { echo "$2 is missing" >&2; exit 1; }
-  printf '{"file_format_version": "1.0.1", "ICD": {"api_version": "%s", "library_path": "%s"}}\n' "$3" "$2" > "$dest/$1.json"
-}
-icd mesa22 /usr/lib/x86_64-linux-gnu/libvulkan_lvp.so 1.3.230
-icd mesa25 "$dest/mesa25/usr/lib/x86_64-linux-gnu/libvulkan_lvp.so" 1.4.305
-icd swiftshader /usr/lib/chromium/libvk_swiftshader.so 1.3.0
+tools/lavapipe.sh "$dest"
+write_icd "$dest/mesa22.json" /usr/lib/x86_64-linux-gnu/libvulkan_lvp.so 1.3.230
+write_icd "$dest/swiftshader.json" /usr/lib/chromium/libvk_swiftshader.so 1.3.0
 cat > "$dest/layers/VkLayer_khronos_validation.json" <<'JSON'
 {"file_format_version": "1.2.0", "layer": {"name": "VK_LAYER_KHRONOS_validation", "type": "GLOBAL",
  "library_path": "/usr/lib/chromium/libVkLayer_khronos_validation.so", "api_version": "1.4.328", "implementation_version": "1",

@@ -19,6 +19,12 @@ need_rust() {
   need 'command -v cc' gcc libc6-dev
 }
 
+# write_icd MANIFEST LIBRARY VERSION: names a Vulkan driver for VK_DRIVER_FILES.
+write_icd() {
+  [ -s "$2" ] || { echo "$2 is missing" >&2; return 1; }
+  printf '{"file_format_version": "1.0.1", "ICD": {"api_version": "%s", "library_path": "%s"}}\n' "$3" "$2" > "$1"
+}
+
 # need_target TARGET: Rust's standard library for it, of the compiler in use (RUSTC).
 need_target() {
   [ -d "$("${RUSTC:-rustc}" --print sysroot)/lib/rustlib/$1" ] && return 0
