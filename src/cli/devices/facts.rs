@@ -1,12 +1,19 @@
 //! What there is to say about a device: what it may have, and what was measured of it.
 
-use crate::{advice::NO_TRIANGLES, interrupt::Interrupts, progress};
+use crate::{
+    advice::{NO_TRIANGLES, OLD_LAVAPIPE},
+    interrupt::Interrupts,
+    progress,
+};
 use ash::{ext, khr};
-use effigy::vulkan::{
-    Gpu, GpuOptions, Probe, RendererOptions, Result,
-    sort::{choice::choose, sort_choice::SortChoice},
-    trials,
-    tuning::{Record, Tuning},
+use effigy::{
+    quirks::leaves_loops,
+    vulkan::{
+        Gpu, GpuOptions, Probe, RendererOptions, Result,
+        sort::{choice::choose, sort_choice::SortChoice},
+        trials,
+        tuning::{Record, Tuning},
+    },
 };
 use effigy_core::avatar::motion::Player;
 
@@ -52,6 +59,14 @@ pub fn optional(probe: &Probe) -> Vec<Optional> {
             "quads, windows, small avatars as they should look",
             &format!(
                 "its driver crashes when it draws them with vectors of 512 bits: {NO_TRIANGLES}"
+            ),
+        ),
+        part(
+            "long loops",
+            !leaves_loops(&probe.driver),
+            "tiles",
+            &format!(
+                "tiles would lose parts of large scenes, and quads are slower: {OLD_LAVAPIPE}"
             ),
         ),
         part(
