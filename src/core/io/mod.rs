@@ -8,3 +8,4 @@ pub mod pack;
 pub mod ply;
 pub mod ply_export;
 pub mod splats;
+pub mod text;
