@@ -178,7 +178,6 @@ fn plain(
         count,
     };
     let rotation = all.rows::<4>(&names.rotation)?;
-    let of_part = |part: f32| logit::of_part(part);
     let (opacity, color): (Vec<f32>, Vec<[f32; 3]>) = match &names.opacity {
         Some(opacity) => {
             let part = all.rows::<1>(opacity)?;
@@ -190,13 +189,13 @@ fn plain(
                 ));
             }
             let name = format!("{EXTENSION}:SH_DEGREE_0_COEF_0");
-            let opacity = part.into_iter().map(|[part]| of_part(part));
+            let opacity = part.into_iter().map(|[part]| logit::of_part(part));
             (opacity.collect(), all.rows(&name)?)
         }
         None => {
             let split = |[r, g, b, a]: [f32; 4]| {
                 let color = [r, g, b].map(logit::color_of_part);
-                (of_part(a.clamp(0.0, 1.0)), color)
+                (logit::of_part(a.clamp(0.0, 1.0)), color)
             };
             all.colors()?.into_iter().map(split).unzip()
         }
@@ -253,19 +252,19 @@ fn plain(
 
 /// Says which attributes are none of splats'. `degree`: of the harmonics that were read.
 fn passed_over(primitive: &Primitive, degree: usize) -> Option<Assumption> {
-    // What points have where the extension is not known, and shading.
-    let known = ["POSITION", COLOR, "NORMAL", "TANGENT"];
-    let is_read = |name: &&String| {
+    let is_read = |name: &str| {
         let own = name
             .strip_prefix(EXTENSION)
-            .and_then(|rest| rest.strip_prefix(':'));
-        let own = own.or(name.strip_prefix('_')).unwrap_or_default();
-        let band = own
-            .strip_prefix("SH_DEGREE_")
-            .and_then(|rest| rest.get(..1)?.parse().ok());
-        known.contains(&&***name)
-            || ["ROTATION", "SCALE", "OPACITY"].contains(&own)
-            || band.is_some_and(|band: usize| band <= degree)
+            .map(|rest| rest.trim_start_matches(':'));
+        let own = own.or(name.strip_prefix('_')).unwrap_or(name);
+        match own.strip_prefix("SH_DEGREE_") {
+            Some(band) => (0..=degree).any(|known| band.starts_with(&known.to_string())),
+            // Beside splats' own what points have where the extension is not known.
+            None => [
+                "POSITION", "ROTATION", "SCALE", "OPACITY", COLOR, "NORMAL", "TANGENT",
+            ]
+            .contains(&own),
+        }
     };
     let others = primitive.attributes.keys().filter(|name| !is_read(name));
     let others: Vec<String> = others.map(|name| excerpt(name)).collect();
