@@ -3,7 +3,10 @@
 use crate::{error::content, limits};
 use effigy_core::{
     avatar::limits::LENGTH,
-    io::file::{FormatError, excerpt},
+    io::{
+        file::{FormatError, excerpt},
+        text,
+    },
     scene::Camera,
 };
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
@@ -116,7 +119,7 @@ fn is_name(text: &str) -> bool {
 impl Calibration {
     /// Reads the file's text. `file` is named in errors.
     pub fn parse(file: &Path, bytes: &[u8]) -> Result<Self, CaptureError> {
-        let read: Self = serde_json::from_slice(bytes).map_err(|error| {
+        let read: Self = serde_json::from_slice(&text::utf8(bytes)).map_err(|error| {
             content(
                 file,
                 excerpt(&error.to_string()),

@@ -4,7 +4,7 @@ use crate::{
     error::{CaptureError, content, read_bytes},
     limits,
 };
-use effigy_core::io::file::excerpt;
+use effigy_core::io::{file::excerpt, text};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -31,7 +31,7 @@ impl Split {
             return Ok(Self::default());
         }
         let bytes = read_bytes(&file, limits::TEXT)?;
-        serde_json::from_slice(&bytes).map_err(|error| {
+        serde_json::from_slice(&text::utf8(&bytes)).map_err(|error| {
             let expected = "names in `cameras` and numbers in `frames`";
             content(&file, excerpt(&error.to_string()), expected)
         })

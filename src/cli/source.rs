@@ -5,7 +5,7 @@ use crate::{files::print_assumptions, kept, options::named};
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
-    io::{cameras, splats::Up},
+    io::{cameras, splats::Up, text},
     scene::Camera,
 };
 use effigy_formats::{
@@ -85,9 +85,9 @@ impl CaptureArgs {
         let Some(path) = &self.joints else {
             return Ok(vec![]);
         };
-        let text = std::fs::read_to_string(path)
-            .with_context(|| format!("cannot read {}", path.display()))?;
-        let map: BTreeMap<String, String> = serde_json::from_str(&text)
+        let bytes =
+            std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+        let map: BTreeMap<String, String> = serde_json::from_slice(&text::utf8(&bytes))
             .with_context(|| format!("{} is no list of joints", path.display()))?;
         let correction = |(part, joint)| Correction { part, joint };
         Ok(map.into_iter().map(correction).collect())

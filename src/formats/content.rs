@@ -1,9 +1,11 @@
 //! What a file is, told by its content.
 
 use crate::{
-    bvh, mmlphuman, npz, pickle,
-    splats::{self, SplatFormat},
+    bvh, mmlphuman, pickle,
+    source::{START, Source},
+    splats::{self, Nothing, SplatFormat},
     webavatar,
+    zip_file::{self, is_zip},
 };
 use std::path::Path;
 
@@ -38,15 +40,27 @@ pub enum CaptureFormat {
 }
 
 impl Content {
-    /// What a file of these bytes is. `name`: the file's, for content that tells nothing.
+    /// What a file of these bytes is, or what is in it if it is packed. `name`: the file's, for
+    /// content that tells nothing.
     pub fn of(bytes: &[u8], name: &Path) -> Self {
+        let source = Source {
+            bytes,
+            name,
+            beside: &mut Nothing,
+        };
+        let inside = source.start(|source| Ok(Self::of_unpacked(source.bytes, source.name)));
+        inside.unwrap_or_else(|_| Self::of_unpacked(&[], name))
+    }
+
+    /// As [`Self::of`], of a file that is packed in nothing.
+    pub(crate) fn of_unpacked(bytes: &[u8], name: &Path) -> Self {
         let named = || SplatFormat::of_name(name).map(Self::Splats);
         Self::known(bytes).or_else(named).unwrap_or(Self::Other)
     }
 
     /// None: the bytes tell nothing.
     fn known(bytes: &[u8]) -> Option<Self> {
-        if npz::is_zip(bytes) {
+        if is_zip(bytes) {
             return Some(Self::of_zip(bytes));
         }
         let start = &bytes[..bytes.len().min(SplatFormat::START)];
@@ -71,9 +85,11 @@ impl Content {
     }
 
     fn of_zip(bytes: &[u8]) -> Self {
-        if splats::is_sog(bytes) {
+        let members = zip_file::members(bytes).unwrap_or_default();
+        let positions = format!("{}.npy", webavatar::POSITIONS);
+        if splats::is_sog(&members) {
             Self::Splats(SplatFormat::Sog)
-        } else if npz::lists(bytes, webavatar::POSITIONS) {
+        } else if members.iter().any(|member| member.name == positions) {
             Self::Model
         } else if mmlphuman::is_checkpoint(bytes) {
             Self::Checkpoint
@@ -89,7 +105,7 @@ impl Content {
                 SplatFormat::Ply => "splats, .ply",
                 SplatFormat::Splat => "splats, .splat",
                 SplatFormat::Spz => "splats, .spz",
-                SplatFormat::Sog | SplatFormat::SogMeta => "splats, SOG",
+                SplatFormat::Sog | SplatFormat::SogMeta | SplatFormat::SogLod => "splats, SOG",
                 SplatFormat::Ksplat => "splats, .ksplat",
                 SplatFormat::Glb | SplatFormat::Gltf => "splats, glTF",
             },
@@ -115,16 +131,19 @@ impl Content {
     }
 }
 
-/// The extension of glTF without which it has no splats.
-const SPLATS_EXTENSION: &[u8] = b"KHR_gaussian_splatting";
-/// Bytes of a glTF that are searched for it.
-const LONGEST_DOCUMENT: usize = 4 << 20;
+/// The extensions of glTF without which it has no splats.
+const SPLATS_EXTENSIONS: [&[u8]; 2] = [
+    b"KHR_gaussian_splatting",
+    b"KHR_spz_gaussian_splats_compression",
+];
 
-/// Whether a glTF's document names the extension of splats.
+/// Whether a glTF's document names an extension of splats.
 fn names_splats(bytes: &[u8]) -> bool {
-    let document = &bytes[..bytes.len().min(LONGEST_DOCUMENT)];
-    let mut words = document.windows(SPLATS_EXTENSION.len());
-    words.any(|word| word == SPLATS_EXTENSION)
+    let document = &bytes[..bytes.len().min(START)];
+    SPLATS_EXTENSIONS.iter().any(|name| {
+        let mut words = document.windows(name.len());
+        words.any(|word| word == *name)
+    })
 }
 
 /// Whether bytes begin as an FBX does.

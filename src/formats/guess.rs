@@ -12,14 +12,13 @@ const fn sign(start: &'static [u8], what: &'static str) -> Sign {
     Sign { start, what }
 }
 
-const SIGNS: [Sign; 24] = [
+const SIGNS: [Sign; 23] = [
     sign(b"\x89PNG", "a PNG picture"),
     sign(b"\xff\xd8\xff", "a JPEG picture"),
     sign(b"GIF8", "a GIF picture"),
     sign(b"RIFF", "a RIFF file: a WebP picture, a sound or a film"),
     sign(b"\x00\x00\x00\x18ftyp", "a film (MP4)"),
     sign(b"\x00\x00\x00\x20ftyp", "a film (MP4)"),
-    sign(b"\x1f\x8b", "gzip: unpack it"),
     sign(b"\xfd7zXZ", "xz: unpack it"),
     sign(b"\x28\xb5\x2f\xfd", "zstd: unpack it"),
     sign(b"BZh", "bzip2: unpack it"),
@@ -52,6 +51,9 @@ const SIGNS: [Sign; 24] = [
 pub fn seems(start: &[u8]) -> Option<&'static str> {
     if start.is_empty() {
         return Some("an empty file");
+    }
+    if start.get(257..262) == Some(b"ustar") {
+        return Some("a tar archive: unpack it");
     }
     let trimmed = start.trim_ascii_start();
     let known = SIGNS

@@ -2,16 +2,17 @@
 //! [`Avatar`](effigy_core::avatar::Avatar), and says what it had to assume; a writer gives files
 //! that those programs read.
 //!
-//! Readers hold against hostile input: an archive may not unpack to more than [`npz::MAX_GROWTH`]
-//! times its size, and every count is checked before memory is taken for it.
+//! Readers hold against hostile input: an archive may not unpack to more than 16 times its size and
+//! 32 MB, nor a reader take more than four times what is unpacked and 64 MB, and every count is checked before memory is taken for it.
 
-pub mod assumption;
+pub use effigy_core::io::assumption;
 pub mod bvh;
 pub mod capture;
 pub mod content;
 mod fault;
 #[cfg(feature = "fbx")]
 pub mod fbx;
+mod glb;
 pub mod gltf_motion;
 mod guess;
 mod json;
@@ -24,6 +25,7 @@ pub mod retarget;
 mod scene_tree;
 pub mod smpl;
 mod smpl_joints;
+pub mod source;
 pub mod splats;
 pub mod webavatar;
 mod zip_file;

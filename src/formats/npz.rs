@@ -12,69 +12,63 @@ pub use array::Array;
 pub(crate) use element::{Element, Kind};
 pub use write::{NpzWriter, Number};
 
-use crate::{fault::tensor, zip_file};
-use effigy_core::io::file::{FormatError, excerpt};
+use crate::{
+    fault::tensor,
+    zip_file::{self, Member},
+};
+use effigy_core::io::file::FormatError;
 use std::{collections::BTreeMap, io::Read};
 use zip::result::ZipError;
 
-/// How many times its own size an archive may unpack to, beside [`MAX_SMALL`]: real arrays of
-/// numbers deflate to half at best.
-pub const MAX_GROWTH: u64 = 3;
 /// Bytes that any archive may unpack to.
 pub const MAX_SMALL: u64 = 32 << 20;
 
-/// Whether bytes begin as a zip does.
-pub fn is_zip(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
-}
-
-/// Whether a file is an archive with an array of this name.
-pub fn lists(bytes: &[u8], name: &str) -> bool {
-    let archive = zip_file::open(bytes);
-    archive.is_ok_and(|archive| archive.index_for_name(&format!("{name}.npy")).is_some())
+/// The arrays of an archive: its members with the ending `.npy`, as NumPy takes them. Others may be
+/// beside them.
+fn arrays(bytes: &[u8]) -> Result<Vec<Member>, FormatError> {
+    let members = zip_file::members(bytes).map_err(|error| unreadable(bytes, &error))?;
+    let array = |member: Member| {
+        let name = member.name.strip_suffix(".npy")?.to_owned();
+        Some(Member { name, ..member })
+    };
+    Ok(members.into_iter().filter_map(array).collect())
 }
 
 /// The names of an archive's arrays, in its order.
 ///
 /// # Errors
-/// When the bytes are no zip, or hold something else than arrays.
+/// When the bytes are no zip.
 pub fn names(bytes: &[u8]) -> Result<Vec<String>, FormatError> {
-    let mut archive = zip_file::open(bytes).map_err(unreadable)?;
-    let mut names = Vec::new();
-    for index in 0..archive.len() {
-        let entry = archive.by_index_raw(index).map_err(unreadable)?;
-        names.push(array_name(&entry.name().map_err(unreadable)?)?.to_owned());
-    }
-    Ok(names)
+    let arrays = arrays(bytes)?.into_iter();
+    Ok(arrays.map(|member| member.name).collect())
 }
 
 /// The `.npy` files of an archive whose names, without that ending, are wanted. `small`: what any
 /// archive may unpack to, bytes.
 ///
 /// # Errors
-/// When the bytes are no zip, hold something else than arrays, or unpack to more than the limits.
+/// When the bytes are no zip, or unpack to more than the limits.
 pub fn members(
     bytes: &[u8],
     small: u64,
     wanted: impl Fn(&str) -> bool,
 ) -> Result<BTreeMap<String, Vec<u8>>, FormatError> {
-    let mut archive = zip_file::open(bytes).map_err(unreadable)?;
-    let limit = (MAX_GROWTH * bytes.len() as u64).max(small);
+    let fault = |error: ZipError| unreadable(bytes, &error);
+    let mut archive = zip_file::open(bytes).map_err(fault)?;
+    let limit = zip_file::allowance(bytes, small);
     let mut left = limit;
     let mut members = BTreeMap::new();
-    for index in 0..archive.len() {
-        let mut entry = archive.by_index(index).map_err(unreadable)?;
-        let full = entry.name().map_err(unreadable)?.into_owned();
-        let name = array_name(&full)?;
-        if !wanted(name) {
+    for Member { index, name } in arrays(bytes)? {
+        if !wanted(&name) {
             continue;
         }
         let too_large = || {
             FormatError::container(
                 format!("an archive that unpacks to more than {limit} bytes"),
-                format!("at most {MAX_GROWTH} times its size"),
+                format!("at most {} times its size", zip_file::MAX_GROWTH),
             )
         };
+        let mut entry = archive.by_index(index).map_err(fault)?;
         // A zip may say less than an entry has, but not more than is read here.
         let promised = entry.size();
         if promised > left {
@@ -84,27 +78,18 @@ pub fn members(
         (&mut entry)
             .take(promised + 1)
             .read_to_end(&mut content)
-            .map_err(|error| tensor(name, format!("no data: {error}"), "an array"))?;
+            .map_err(|error| tensor(&name, format!("no data: {error}"), "an array"))?;
         if content.len() as u64 > promised {
             return Err(too_large());
         }
         left -= promised;
-        members.insert(name.to_owned(), content);
+        members.insert(name, content);
     }
     Ok(members)
 }
 
-fn unreadable(error: ZipError) -> FormatError {
-    FormatError::container(format!("a zip that can't be read: {error}"), "a NumPy .npz")
-}
-
-fn array_name(full: &str) -> Result<&str, FormatError> {
-    full.strip_suffix(".npy").ok_or_else(|| {
-        FormatError::container(
-            format!("`{}` in the archive", excerpt(full)),
-            "names that end in .npy alone",
-        )
-    })
+fn unreadable(bytes: &[u8], error: &ZipError) -> FormatError {
+    zip_file::unreadable(bytes, error, "a NumPy .npz or a file of PyTorch")
 }
 
 /// The pickle in a `.npy` file that holds Python's objects; None where it holds something else.
@@ -124,8 +109,8 @@ impl Npz {
     /// Reads every array of an archive.
     ///
     /// # Errors
-    /// When the bytes are no zip, hold something else than arrays of numbers, or unpack to more
-    /// than the limits.
+    /// When the bytes are no zip, hold arrays of something else than numbers, or unpack to more than
+    /// the limits.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, FormatError> {
         Self::some_from_bytes(bytes, MAX_SMALL, |_| true)
     }
@@ -150,6 +135,11 @@ impl Npz {
     /// The names of the arrays, in alphabetical order.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.arrays.keys().map(String::as_str)
+    }
+
+    /// Bytes of all arrays.
+    pub fn bytes(&self) -> usize {
+        self.arrays.values().map(Array::bytes).sum()
     }
 
     /// Whether there is an array of a name.

@@ -61,9 +61,11 @@ pub fn checkpoint<T>(
     options: &mmlphuman::Options,
     then: impl FnOnce(Checkpoint) -> T,
 ) -> Result<T, FileError> {
-    read_with(path, |bytes| {
-        let pickle = Pickle::from_bytes(bytes)?;
-        Ok(then(Checkpoint::new(&pickle, options)?))
+    read_file(path, |source| {
+        source.inside(|source| {
+            let pickle = Pickle::from_bytes(source.bytes)?;
+            Ok(then(Checkpoint::new(&pickle, options)?))
+        })
     })
 }
 

@@ -1,6 +1,8 @@
 //! Reading of avatars and clips of any kind from a file's bytes, wherever they come from.
 //! [`open`](crate::open) reads those of a path.
 
+pub use crate::source::Source;
+
 #[cfg(feature = "fbx")]
 use crate::fbx;
 use crate::{
@@ -11,7 +13,7 @@ use crate::{
     gltf_motion, guess,
     retarget::{self, Girth, Report, RetargetOptions},
     smpl,
-    splats::{self, Beside, Found, SplatFormat},
+    splats::{self, Found, Nothing, SplatFormat},
     webavatar::{self, Imported},
 };
 use effigy_core::{
@@ -19,7 +21,6 @@ use effigy_core::{
     io::{file::FormatError, splats::Up},
 };
 use glam::DVec3;
-use std::path::Path;
 
 /// Bytes of a file beside a glTF of motion.
 const LONGEST_BESIDE: u64 = 256 << 20;
@@ -27,26 +28,10 @@ const LONGEST_BESIDE: u64 = 256 << 20;
 const KNOWN: &str = "an avatar (.avatar, the paper's .npz), splats (.ply, .splat, .spz, .sog, .ksplat, .glb) or motion \
                      (.motion, .bvh, .fbx, .glb, .vrma, .npz, .pkl)";
 
-/// A file of another program, whole.
-pub struct Source<'a> {
-    /// All its bytes.
-    pub bytes: &'a [u8],
-    /// Its name or path: the stem is what an avatar or a clip is called, and the ending says what
-    /// content that tells nothing was meant to be. It is not opened.
-    pub name: &'a Path,
-    /// Where the files are that it refers to.
-    pub beside: &'a mut dyn Beside,
-}
-
 impl Source<'_> {
     /// What it is.
     pub fn content(&self) -> Content {
         Content::of(self.bytes, self.name)
-    }
-
-    fn stem(&self) -> String {
-        let stem = self.name.file_stem().unwrap_or_default();
-        stem.to_string_lossy().into_owned()
     }
 }
 
@@ -64,14 +49,16 @@ pub struct OpenOptions {
 /// # Errors
 /// When the file has no splats, or breaks a rule.
 pub fn splats(source: Source, up: Option<Up>) -> Result<Found, FormatError> {
-    // What is of no known format is refused as the most common one.
-    let format = match source.content() {
-        Content::Splats(format) => format,
-        _ => SplatFormat::Ply,
-    };
-    let mut found = splats::read(source.bytes, format, source.beside)?;
-    found.splats.up = up.unwrap_or(found.splats.up);
-    Ok(found)
+    source.inside(|source| {
+        // What is of no known format is refused as the most common one.
+        let format = match Content::of_unpacked(source.bytes, source.name) {
+            Content::Splats(format) => format,
+            _ => SplatFormat::Ply,
+        };
+        let mut found = splats::read(source.bytes, format, source.beside)?;
+        found.splats.up = up.unwrap_or(found.splats.up);
+        Ok(found)
+    })
 }
 
 /// Reads an avatar: Effigy's own, the paper's `.npz` or splats.
@@ -79,8 +66,12 @@ pub fn splats(source: Source, up: Option<Up>) -> Result<Found, FormatError> {
 /// # Errors
 /// When the file is none of them, or breaks a rule.
 pub fn avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatError> {
+    source.inside(|source| unpacked_avatar(source, options))
+}
+
+fn unpacked_avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatError> {
     let name = source.stem();
-    match source.content() {
+    match Content::of_unpacked(source.bytes, source.name) {
         Content::Splats(_) => {
             let Found {
                 splats,
@@ -152,7 +143,11 @@ pub struct OpenedClip {
 /// # Errors
 /// When the file is of no known kind, or breaks a rule.
 pub fn capture(source: Source, options: &CaptureOptions) -> Result<Captured, FormatError> {
-    let content = source.content();
+    source.inside(|source| unpacked_capture(source, options))
+}
+
+fn unpacked_capture(source: Source, options: &CaptureOptions) -> Result<Captured, FormatError> {
+    let content = Content::of_unpacked(source.bytes, source.name);
     let Source { bytes, beside, .. } = source;
     match content {
         Content::Capture(CaptureFormat::Gltf) => {
@@ -186,14 +181,24 @@ pub fn capture(source: Source, options: &CaptureOptions) -> Result<Captured, For
 }
 
 /// Bytes of a file's start that tell what it seems to be.
-const START: usize = 256;
+const START: usize = 512;
 
 /// The error of a file that is no avatar or motion of Effigy's: what it seems to be, else what
 /// Effigy's own reader found.
 pub fn unknown(bytes: &[u8], own: FormatError) -> FormatError {
-    match guess::seems(&bytes[..bytes.len().min(START)]) {
-        Some(what) => FormatError::container(what, KNOWN),
-        None => own,
+    let source = Source {
+        bytes,
+        name: "unknown".as_ref(),
+        beside: &mut Nothing,
+    };
+    let seems = source.start(|source| {
+        let start = &source.bytes[..source.bytes.len().min(START)];
+        Ok(guess::seems(start))
+    });
+    match seems {
+        Ok(Some(what)) => FormatError::container(what, KNOWN),
+        Ok(None) => own,
+        Err(packed) => packed,
     }
 }
 
@@ -238,6 +243,15 @@ pub fn clip(
     girth: impl FnOnce() -> Option<Girth>,
     options: &ClipOptions,
 ) -> Result<OpenedClip, FormatError> {
+    source.inside(|source| unpacked_clip(source, skeleton, girth, options))
+}
+
+fn unpacked_clip(
+    source: Source,
+    skeleton: &Skeleton,
+    girth: impl FnOnce() -> Option<Girth>,
+    options: &ClipOptions,
+) -> Result<OpenedClip, FormatError> {
     let made_for_it = |clip| OpenedClip {
         clip,
         assumptions: vec![],
@@ -245,7 +259,7 @@ pub fn clip(
         capture: None,
     };
     let name = source.stem();
-    let content = source.content();
+    let content = Content::of_unpacked(source.bytes, source.name);
     if content == Content::Other || content == Content::Model || content == Content::Checkpoint {
         let clip = Clip::from_bytes(source.bytes).map_err(|own| unknown(source.bytes, own));
         return clip.map(made_for_it);
@@ -255,7 +269,7 @@ pub fn clip(
         let clip = webavatar::read_poses(source.bytes, &name, skeleton, rate);
         return clip.map(made_for_it);
     }
-    let captured = capture(source, &options.capture)?;
+    let captured = unpacked_capture(source, &options.capture)?;
     let mut retargeting = options.retarget.clone();
     if retargeting.girth.is_none() {
         retargeting.girth = girth();

@@ -1,5 +1,6 @@
-//! Opening of zips whose directory is worth reading.
+//! Zips whose directory is worth reading, and how much an archive may unpack to.
 
+use effigy_core::io::file::FormatError;
 use std::{io::Cursor, ops::Range};
 use zip::{
     ZipArchive,
@@ -9,6 +10,9 @@ use zip::{
 /// Members of an archive: a checkpoint has some hundred. Each costs time and memory before anything
 /// of it is read.
 const MAX_MEMBERS: u64 = 10_000;
+/// How many times its own size an archive may unpack to, as an `.avatar` may: f64 that were f32 and
+/// hands at rest deflate to a fourth.
+pub const MAX_GROWTH: u64 = 16;
 /// The record with the longest comment, with what comes before it in large archives.
 const LONGEST_END: usize = 22 + 0xffff + 128;
 
@@ -33,6 +37,57 @@ const RECORDS: [EndRecord; 2] = [
 
 /// A zip in memory.
 pub type ZipFile<'a> = ZipArchive<Cursor<&'a [u8]>>;
+
+/// A file of an archive.
+#[derive(Clone, Debug)]
+pub struct Member {
+    pub index: usize,
+    /// With the folders that it is in.
+    pub name: String,
+}
+
+/// Whether bytes begin as a zip does.
+pub fn is_zip(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
+}
+
+/// Bytes that an archive may unpack to. `small`: what any may.
+pub fn allowance(bytes: &[u8], small: u64) -> u64 {
+    MAX_GROWTH.saturating_mul(bytes.len() as u64).max(small)
+}
+
+/// The files of an archive in its order, without folders and what systems leave beside files.
+///
+/// # Errors
+/// When the bytes are no zip, or it has too many members.
+pub fn members(bytes: &[u8]) -> ZipResult<Vec<Member>> {
+    let mut archive = open(bytes)?;
+    let mut members = vec![];
+    for index in 0..archive.len() {
+        let name = archive.by_index_raw(index)?.name()?.into_owned();
+        let own = name.rsplit('/').next().unwrap_or_default();
+        let is_litter = own.is_empty()
+            || own.starts_with('.')
+            || name.starts_with("__MACOSX/")
+            || ["Thumbs.db", "desktop.ini"].contains(&own);
+        if !is_litter {
+            members.push(Member { index, name });
+        }
+    }
+    Ok(members)
+}
+
+/// What a zip that can't be read is refused with. `expected`: what it would have been.
+pub fn unreadable(bytes: &[u8], error: &ZipError, expected: &str) -> FormatError {
+    // Every zip ends with a record of this mark, and then a comment.
+    let has_end = bytes.windows(4).any(|four| four == RECORDS[0].mark);
+    let found = if has_end {
+        format!("a zip that can't be read: {error}")
+    } else {
+        "a zip without its end: the file is incomplete".into()
+    };
+    FormatError::container(found, expected)
+}
 
 /// Opens a zip.
 ///

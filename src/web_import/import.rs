@@ -6,6 +6,7 @@ use effigy_formats::{
     assumption::Assumption,
     content::Content,
     read::{self, ClipOptions, OpenOptions, Source},
+    source,
     splats::Nothing,
 };
 use std::path::Path;
@@ -31,8 +32,9 @@ pub struct ImportedMotion {
 /// What a file of another program is: "avatar", "motion" or "unknown". `name`: the file's.
 pub fn kind(bytes: &[u8], name: &str) -> &'static str {
     let content = Content::of(bytes, Path::new(name));
-    // Reading a checkpoint says what becomes an avatar of it.
-    if content.is_avatar() || content == Content::Checkpoint {
+    // Reading a checkpoint says what becomes an avatar of it, and reading an archive what it has.
+    let is_said = content == Content::Checkpoint || source::is_packed(bytes);
+    if content.is_avatar() || is_said && !content.is_motion() {
         "avatar"
     } else if content.is_motion() {
         "motion"
@@ -177,8 +179,20 @@ mod tests {
     }
 
     #[test]
+    fn splats_that_cannot_be_drawn_are_left_out_and_said_to_be() {
+        let mut bytes = read("splats/small.splat");
+        bytes[32 * 5..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
+        let imported = avatar(&bytes, "a.splat").expect("63 splats");
+        let avatar = from_columns(&imported.bytes).expect("an avatar");
+        assert_eq!(avatar.gaussians.len(), 63);
+        assert!(imported.notes[0].contains("1 of 64 left out"));
+    }
+
+    #[test]
     fn other_files_are_refused_in_a_sentence() {
         assert_eq!(kind(b"nothing of ours", "a.avatar"), "unknown");
+        // What an archive has is said when it is read.
+        assert_eq!(kind(b"PK\x03\x04", "a.zip"), "avatar");
         assert!(avatar(b"nothing of ours", "a.avatar").is_err());
         assert!(avatar(b"ply\nno header", "a.ply").is_err());
         let beside = motion(&read("gltf/dance_beside.gltf"), "dance.gltf", &demo());

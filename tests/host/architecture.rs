@@ -146,9 +146,9 @@ const LAYERS: &[Layers] = &[
     Layers {
         package: "src/formats",
         modules: &[
-            "assumption",
             "capture",
             "fault",
+            "glb",
             "json",
             "zip_file",
             "guess",
@@ -164,6 +164,7 @@ const LAYERS: &[Layers] = &[
             "splats",
             "webavatar",
             "mmlphuman",
+            "source",
             "content",
             "read",
             "open",

@@ -10,7 +10,10 @@
 //! its poses, and the camera matrix in px. It has no sizes of images: each is as large as its
 //! optical axis meets its centre, to a pixel.
 
-use super::file::{FileError, FormatError};
+use super::{
+    file::{FileError, FormatError},
+    text,
+};
 use crate::scene::Camera;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use serde::{Deserialize, Serialize, de::IgnoredAny};
@@ -178,6 +181,7 @@ pub fn parse(bytes: &[u8], world: DAffine3) -> Result<Vec<Camera>, FormatError> 
             "cameras as 3DGS or mmlphuman writes them",
         )
     };
+    let bytes = &*text::utf8(bytes);
     let kinds: Vec<AnyEntry> = serde_json::from_slice(bytes).map_err(failed)?;
     let is_rig = kinds.first().is_some_and(|entry| entry.w2c.is_some());
     let entries: Vec<CameraEntry> = if is_rig {

@@ -1,65 +1,8 @@
-//! Where the JSON and the bytes of a glTF file are: both in one file (GLB), the bytes in the JSON,
-//! or beside it.
+//! Where the bytes of a glTF file are: in the file (GLB), in the JSON, or beside it.
 
 use super::document::{Buffer, Document};
 use effigy_core::io::file::{FormatError, excerpt};
 use std::borrow::Cow;
-
-/// `JSON` and `BIN\0`, little-endian.
-const JSON: u32 = 0x4e4f_534a;
-const BINARY: u32 = 0x004e_4942;
-
-/// A file's parts.
-pub struct Parts<'a> {
-    pub json: &'a [u8],
-    /// The bytes of the first buffer, of a GLB.
-    pub binary: Option<&'a [u8]>,
-}
-
-fn word(bytes: &[u8], at: usize) -> Option<u32> {
-    let word = bytes.get(at..)?.first_chunk()?;
-    Some(u32::from_le_bytes(*word))
-}
-
-/// Takes a file apart.
-pub fn parts(bytes: &[u8]) -> Result<Parts<'_>, FormatError> {
-    if !bytes.starts_with(b"glTF") {
-        return Ok(Parts {
-            json: bytes,
-            binary: None,
-        });
-    }
-    let version = word(bytes, 4);
-    if version != Some(2) {
-        return Err(FormatError::container(
-            format!("version {}", version.unwrap_or_default()),
-            "version 2 of glTF",
-        ));
-    }
-    let chunk = |at: usize| {
-        let length = word(bytes, at)? as usize;
-        let content = bytes.get(at.checked_add(8)?..)?.get(..length)?;
-        Some((word(bytes, at + 4)?, content))
-    };
-    let cut = || FormatError::container("an end inside a chunk", "whole chunks of a GLB");
-    let (kind, json) = chunk(12).ok_or_else(cut)?;
-    if kind != JSON {
-        return Err(FormatError::container(
-            format!("a first chunk of the type {kind:#x}"),
-            "JSON",
-        ));
-    }
-    let next = 20 + json.len();
-    // Chunks begin at multiples of four.
-    let next = next.next_multiple_of(4);
-    let binary = if next < bytes.len() {
-        let (kind, content) = chunk(next).ok_or_else(cut)?;
-        (kind == BINARY).then_some(content)
-    } else {
-        None
-    };
-    Ok(Parts { json, binary })
-}
 
 /// The bytes of each buffer. `beside`: gives the content of a file beside this one by its relative
 /// path.

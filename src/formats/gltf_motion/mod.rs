@@ -18,6 +18,7 @@ mod tree;
 use crate::{
     assumption::Assumption,
     capture::{Capture, Captured, LocalPose, Rest, check_size},
+    glb,
     scene_tree::{Joint, Place},
 };
 use accessor::Source;
@@ -48,11 +49,6 @@ pub struct Options {
     pub rest: Rest,
 }
 
-/// Whether bytes begin as a GLB does.
-pub fn is_glb(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"glTF")
-}
-
 /// Reads an animation. `beside`: gives the content of a file beside this one by its relative path,
 /// for a `.gltf` whose numbers are in a `.bin`; paths lead nowhere else.
 ///
@@ -64,9 +60,9 @@ pub fn from_bytes(
     options: &Options,
     beside: &mut dyn FnMut(&str) -> Option<Vec<u8>>,
 ) -> Result<Captured, FormatError> {
-    let parts = container::parts(bytes)?;
-    let document: Document = serde_json::from_slice(parts.json)
-        .map_err(|error| FormatError::container(error, "glTF 2.0"))?;
+    let parts = glb::parts(bytes)?;
+    let document: Document = serde_json::from_slice(&parts.document)
+        .map_err(|error| glb::unreadable(&parts.document, &error))?;
     let buffers = container::buffers(&document, parts.binary, beside)?;
     let held = buffers.iter().map(|buffer| buffer.len()).sum::<usize>();
     let source = Source { document, buffers };

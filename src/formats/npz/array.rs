@@ -45,6 +45,11 @@ impl Array {
         &self.name
     }
 
+    /// Bytes of its file.
+    pub fn bytes(&self) -> usize {
+        self.bytes.len()
+    }
+
     /// Its dimensions.
     pub fn shape(&self) -> &[usize] {
         &self.header.shape

@@ -15,7 +15,7 @@ mod value;
 pub use torch::pickle_of;
 pub use value::{Numbers, Value};
 
-use crate::npz::is_zip;
+use crate::zip_file::is_zip;
 use effigy_core::io::file::FormatError;
 use machine::Machine;
 use node::Built;

@@ -5,7 +5,7 @@ use super::{machine::Machine, node::Built};
 use crate::zip_file;
 use effigy_core::io::file::{FormatError, excerpt};
 use std::{borrow::Cow, collections::BTreeMap};
-use zip::CompressionMethod;
+use zip::{CompressionMethod, result::ZipError};
 
 /// The start of what PyTorch wrote before 1.6: protocol 2, then the integer 0x1950a86a20f9469cfc6c.
 const LEGACY: &[u8] = b"\x80\x02\x8a\x0al\xfc\x9cF\xf9 j\xa8P\x19.";
@@ -32,16 +32,8 @@ pub fn pickle_of(bytes: &[u8]) -> Option<&[u8]> {
 
 /// Reads a zip of PyTorch's. Entries are stored, so that memory stays in the file.
 pub fn from_zip(bytes: &[u8]) -> Result<Built<'_>, FormatError> {
-    let fault = |error: zip::result::ZipError| {
-        // Every zip ends with a record of this mark, and then a comment.
-        let has_end = bytes.windows(4).any(|four| four == b"PK\x05\x06");
-        let found = if has_end {
-            format!("a zip that can't be read: {error}")
-        } else {
-            "a zip without its end: the file is incomplete".into()
-        };
-        FormatError::container(found, "a NumPy .npz or a file of PyTorch")
-    };
+    const EXPECTED: &str = "a NumPy .npz or a file of PyTorch";
+    let fault = |error: ZipError| zip_file::unreadable(bytes, &error, EXPECTED);
     let mut archive = zip_file::open(bytes).map_err(fault)?;
     let mut stored: BTreeMap<String, &[u8]> = BTreeMap::new();
     let mut pickle = None;
@@ -68,12 +60,8 @@ pub fn from_zip(bytes: &[u8]) -> Result<Built<'_>, FormatError> {
             stored.insert(key.to_owned(), content);
         }
     }
-    let pickle = pickle.ok_or_else(|| {
-        FormatError::container(
-            "a zip without data.pkl",
-            "a NumPy .npz or a file of PyTorch",
-        )
-    })?;
+    let pickle =
+        pickle.ok_or_else(|| FormatError::container("a zip without data.pkl", EXPECTED))?;
     let mut machine = Machine::new(bytes.len(), stored);
     let root = machine.run(pickle, 0, 0)?.root;
     Ok(Built {

@@ -26,8 +26,9 @@ mod track;
 
 use crate::{
     capture::{CaptureJoint, Captured},
-    npz::{self, Npz, is_zip},
+    npz::{self, Npz},
     pickle::Pickle,
+    zip_file::is_zip,
 };
 use body::Family;
 use effigy_core::io::file::{FormatError, excerpt};
@@ -74,30 +75,29 @@ fn no_motion(names: &[String]) -> FormatError {
 /// more frames than [`MAX_FRAMES`](crate::capture::MAX_FRAMES), or fewer people than asked for.
 pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatError> {
     let person = options.person;
+    let mut size = bytes.len();
     let track = if bytes.starts_with(b"\x93NUMPY") {
         let pickle = npz::pickle_of(bytes).ok_or_else(|| {
             FormatError::container("an array of numbers", "a dictionary that NumPy saved")
         })?;
         pickled::from_pickle(Pickle::from_bytes(pickle)?.root().inside(), person)?
     } else if is_zip(bytes) {
-        // PyTorch's zips hold no arrays of NumPy's.
-        match npz::names(bytes) {
-            Ok(names) if names.iter().any(|name| ROMP.contains(&&name[..])) => romp(bytes, person)?,
-            Ok(names)
-                if !names
-                    .iter()
-                    .any(|name| recognise::NAMES.contains(&&name[..])) =>
-            {
-                return Err(no_motion(&names));
-            }
-            Ok(_) => {
-                let wanted = |name: &str| recognise::NAMES.contains(&name);
-                let arrays = Npz::some_from_bytes(bytes, SMALL, wanted)?;
-                recognise::recognise(&mut Fields::Archive(arrays))?
-            }
-            Err(_) => pickled::from_pickle(Pickle::from_bytes(bytes)?.root(), person)?,
+        let names = npz::names(bytes)?;
+        let has = |known: &[&str]| names.iter().any(|name| known.contains(&&name[..]));
+        if names.is_empty() {
+            // PyTorch's zips hold no arrays of NumPy's.
+            pickled::from_pickle(Pickle::from_bytes(bytes)?.root(), person)?
+        } else if has(&ROMP) {
+            romp(bytes, person)?
+        } else if has(&recognise::NAMES) {
+            let wanted = |name: &str| recognise::NAMES.contains(&name);
+            let arrays = Npz::some_from_bytes(bytes, SMALL, wanted)?;
+            size = size.max(arrays.bytes());
+            recognise::recognise(&mut Fields::Archive(arrays))?
+        } else {
+            return Err(no_motion(&names));
         }
-    } else if bytes.starts_with(b"\x1f\x8b") || bytes.starts_with(b"\x78") {
+    } else if bytes.starts_with(b"\x78") {
         return Err(FormatError::container(
             "a compressed pickle",
             "one that joblib wrote without `compress`",
@@ -105,7 +105,7 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
     } else {
         pickled::from_pickle(Pickle::from_bytes(bytes)?.root().inside(), person)?
     };
-    track.into_capture(options.rate, bytes.len())
+    track.into_capture(options.rate, size)
 }
 
 fn romp(bytes: &[u8], person: usize) -> Result<track::Track, FormatError> {

@@ -88,7 +88,7 @@ impl Part {
 
 impl Track {
     /// The motion of a skeleton of an average body. `rate`: frames a second; None: as the file
-    /// says. `size`: bytes of the file.
+    /// says. `size`: bytes of the file, unpacked.
     pub fn into_capture(mut self, rate: Option<f64>, size: usize) -> Result<Captured, FormatError> {
         let rate = self.rate(rate)?;
         let given = self.parts.iter().map(|part| part.table.rows()).max();

@@ -1,5 +1,6 @@
 //! Files that a file refers to by name: beside it in a folder, or in the same archive.
 
+use crate::zip_file::ZipFile;
 use effigy_core::io::file::{FormatError, excerpt};
 use std::{
     fs::File,
@@ -50,6 +51,56 @@ impl Beside for Folder {
         }
         let file = File::open(path).map_err(unreadable)?;
         limited(file, most).map_err(|found| missing(name, &found))
+    }
+}
+
+/// The files of a zip, from a folder in it.
+pub struct Archive<'a> {
+    zip: ZipFile<'a>,
+    folder: String,
+    /// Bytes that may still be unpacked.
+    left: u64,
+}
+
+impl<'a> Archive<'a> {
+    /// `folder`: its path in the zip, empty for the root; `left`: bytes that may be unpacked.
+    pub fn new(zip: ZipFile<'a>, folder: &str, left: u64) -> Self {
+        let folder = folder.trim_end_matches('/').to_owned();
+        Self { zip, folder, left }
+    }
+}
+
+impl Beside for Archive<'_> {
+    fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
+        let path = joined(&self.folder, name);
+        let entry = self.zip.by_name(&path);
+        let entry = entry.map_err(|error| missing(name, &error.to_string()))?;
+        let bytes = limited(entry, most.min(self.left)).map_err(|found| missing(name, &found))?;
+        self.left -= bytes.len() as u64;
+        Ok(bytes)
+    }
+}
+
+/// The files of a folder among those beside a file.
+pub struct Inner<'a> {
+    /// All of them.
+    pub beside: &'a mut dyn Beside,
+    /// The folder's path from there, empty for the same.
+    pub folder: &'a str,
+}
+
+impl Beside for Inner<'_> {
+    fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
+        self.beside.file(&joined(self.folder, name), most)
+    }
+}
+
+/// The path of a file in a folder.
+fn joined(folder: &str, name: &str) -> String {
+    if folder.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{folder}/{name}")
     }
 }
 

@@ -7,6 +7,7 @@
 //! | antimatter15's `.splat` | `Splat` | yes | yes |
 //! | Niantic's `.spz` | `Spz` | versions 1 to 4 | version 3 |
 //! | PlayCanvas's `.sog`, or its `meta.json` in a folder | `Sog`, `SogMeta` | versions 1 and 2 | no |
+//! | the same streamed, `lod-meta.json` | `SogLod` | the finest level | no |
 //! | mkkellogg's `.ksplat` | `Ksplat` | version 0.1, compression 0 to 2 | no |
 //! | glTF with `KHR_gaussian_splatting`, plain or as SPZ | `Glb`, `Gltf` | yes | plain `.glb` |
 //!
@@ -15,7 +16,6 @@
 mod antimatter;
 mod beside;
 mod bytes;
-mod found;
 mod gltf;
 mod ksplat;
 mod logit;
@@ -26,10 +26,12 @@ mod sog;
 mod spz;
 mod write;
 
+pub(crate) use beside::Archive;
 pub use beside::{Beside, Folder, Nothing};
-pub use found::Found;
+pub use effigy_core::io::splats::Found;
 pub use plausible::{BYTES_PER_SPLAT, SMALL};
 pub use read::read;
 pub use recognise::SplatFormat;
-pub use sog::is_sog;
+pub(crate) use sog::is_sog;
+pub(crate) use spz::is_packed as is_packed_spz;
 pub use write::{WRITTEN, write};

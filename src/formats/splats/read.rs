@@ -3,25 +3,26 @@
 use super::{Beside, Found, SplatFormat, antimatter, gltf, ksplat, sog, spz};
 use effigy_core::io::{file::FormatError, ply};
 
-/// Reads a file of a format and checks its numbers; `beside` has the files that it refers to.
+/// Reads a file of a format, without the splats that can't be drawn; `beside` has the files that it
+/// refers to.
 ///
 /// # Errors
-/// When the file is of another format, is cut off, or breaks a rule of it or of
-/// [`Splats::check`](effigy_core::io::splats::Splats::check).
+/// When the file is of another format, is cut off, breaks a rule of it, or has no splat that keeps
+/// those of [`Splats::check`](effigy_core::io::splats::Splats::check).
 pub fn read(
     bytes: &[u8],
     format: SplatFormat,
     beside: &mut dyn Beside,
 ) -> Result<Found, FormatError> {
     let found: Found = match format {
-        SplatFormat::Ply => ply::read(bytes)?.into(),
+        SplatFormat::Ply => ply::read(bytes)?,
         SplatFormat::Splat => antimatter::read(bytes)?.into(),
         SplatFormat::Spz => spz::read(bytes)?,
-        SplatFormat::Sog => sog::in_archive(bytes)?.into(),
+        SplatFormat::Sog => sog::in_archive(bytes)?,
         SplatFormat::SogMeta => sog::in_folder(bytes, beside)?.into(),
+        SplatFormat::SogLod => sog::streamed(bytes, beside)?,
         SplatFormat::Ksplat => ksplat::read(bytes)?.into(),
         SplatFormat::Glb | SplatFormat::Gltf => gltf::read(bytes, beside)?,
     };
-    found.splats.check()?;
-    Ok(found)
+    found.sound()
 }

@@ -4,6 +4,8 @@ use super::{antimatter, ksplat, spz};
 use effigy_core::io::ply;
 use std::path::Path;
 
+/// Keys of a streamed SOG's document.
+const LOD_KEYS: [&str; 2] = ["lodLevels", "filenames"];
 /// Keys that a SOG's document has and no glTF, and keys of which every glTF has one.
 const SOG_KEYS: [&str; 4] = ["means", "quats", "sh0", "codebook"];
 const GLTF_KEYS: [&str; 6] = [
@@ -28,6 +30,8 @@ pub enum SplatFormat {
     Sog,
     /// The `meta.json` of a SOG in a folder.
     SogMeta,
+    /// The `lod-meta.json` of a streamed SOG.
+    SogLod,
     /// mkkellogg's `.ksplat`.
     Ksplat,
     /// glTF in one file.
@@ -40,7 +44,7 @@ impl SplatFormat {
     /// Bytes of a file's start that [`Self::of`] looks at, at most.
     pub const START: usize = 4096;
 
-    /// The format of a file of `length` bytes that begins with `start`. A zip is told apart by what
+    /// The format of a file of `length` bytes that begins with `start`, without a byte order mark. A zip is told apart by what
     /// is in it: that it is a [`Self::Sog`] is for the caller to find out.
     pub fn of(start: &[u8], length: u64) -> Option<Self> {
         if ply::starts_ply(start) {
@@ -59,7 +63,9 @@ impl SplatFormat {
                     .iter()
                     .any(|word| text.contains(&format!("\"{word}\"")))
             };
-            return if has(&SOG_KEYS) {
+            return if has(&LOD_KEYS) {
+                Some(Self::SogLod)
+            } else if has(&SOG_KEYS) {
                 Some(Self::SogMeta)
             } else if has(&GLTF_KEYS) {
                 Some(Self::Gltf)
@@ -91,8 +97,7 @@ impl SplatFormat {
 
 /// Whether bytes begin as a JSON object: text with a brace.
 fn is_object(start: &[u8]) -> bool {
-    let text = start.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(start);
-    let mut rest = text.iter().filter(|byte| !byte.is_ascii_whitespace());
+    let mut rest = start.iter().filter(|byte| !byte.is_ascii_whitespace());
     let head = &start[..start.len().min(64)];
     rest.next() == Some(&b'{') && !head.contains(&0)
 }

@@ -3,7 +3,10 @@
 
 use super::table::{Encoding, Table, read};
 use crate::memory;
-use effigy_core::avatar::{Avatar, ShCoefficients, limits};
+use effigy_core::{
+    avatar::{Avatar, ShCoefficients, limits},
+    io::ply,
+};
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -54,37 +57,11 @@ fn each_fault_is_named() {
     let cases = [
         (
             found(table().without("opacity")),
-            "found no `opacity` among the properties, expected",
+            "found no `opacity` among the properties x, y, z, nx, ny, nz, f_dc_0 to f_dc_2, f_rest_0 to f_rest_8, scale_0 to scale_2, rot_0 to rot_3, expected x y z, scale_0",
         ),
         (
             found(table().without("f_rest_8")),
             "found 8 properties f_rest, expected 0, 9, 24 or 45",
-        ),
-        (
-            found(table().set(2, "y", f32::NAN)),
-            "found NaN in the position of vertex 2, expected finite numbers",
-        ),
-        (found(table().set(2, "y", 2e4)), "found the position ["),
-        (
-            found(table().set(3, "f_dc_1", f32::INFINITY)),
-            "found inf in the colour of vertex 3",
-        ),
-        (
-            found(table().set(1, "f_rest_5", f32::NAN)),
-            "found NaN in the harmonics of vertex 1",
-        ),
-        (
-            found(table().set(1, "rot_3", f32::NEG_INFINITY)),
-            "found -inf in the rotation of vertex 1",
-        ),
-        (
-            found(table().set(0, "scale_0", f32::INFINITY)),
-            "found scale [inf",
-        ),
-        (found(table().set(0, "opacity", f32::NAN)), "found scale ["),
-        (
-            found((0..4).fold(table(), |table, k| table.set(1, &format!("rot_{k}"), 0.0))),
-            "found a quaternion of length 0 at vertex 1, expected any other length",
         ),
         (
             found(Table {
@@ -97,12 +74,78 @@ fn each_fault_is_named() {
     for (found, expected) in cases {
         assert!(found.starts_with(expected), "{found}");
     }
+    let mesh = ["opacity", "scale_0", "rot_0", "f_dc_0"];
+    let mesh = found(mesh.iter().fold(table(), |table, name| table.without(name)));
+    assert!(
+        mesh.ends_with("a mesh or a point cloud has no splats"),
+        "{mesh}"
+    );
+    assert!(!found(table().without("rot_2")).contains("mesh"));
     let compressed = "ply\nformat binary_little_endian 1.0\nelement chunk 1\nproperty float min_x\nelement vertex 1\n\
                       property uint packed_position\nend_header\n";
     assert!(
         read(&[compressed.as_bytes(), &[0; 8]].concat())
             .unwrap_err()
             .starts_with("found chunks without all their extremes, expected min_x to max_z")
+    );
+}
+
+/// A few bad rows among many are left out, wherever they stand; all bad rows are an error.
+fn bad_rows_are_left_out() {
+    let table = || Table::new(5, 60, 1);
+    let zero = |table: Table, row| {
+        let names = table.names.clone();
+        names
+            .iter()
+            .fold(table, |table, name| table.set(row, name, 0.0))
+    };
+    let no_rotation = (0..4).fold(table(), |table, k| table.set(1, &format!("rot_{k}"), 0.0));
+    let cases = [
+        (table().set(2, "y", f32::NAN), 2, "NaN in the position"),
+        (table().set(2, "y", 2e4), 2, "the position ["),
+        (
+            table().set(3, "f_dc_1", f32::INFINITY),
+            3,
+            "inf in the colour",
+        ),
+        (
+            table().set(1, "f_rest_5", f32::NAN),
+            1,
+            "NaN in the harmonics",
+        ),
+        (
+            table().set(59, "rot_3", f32::NEG_INFINITY),
+            59,
+            "-inf in the rotation",
+        ),
+        (
+            table().set(0, "scale_0", f32::INFINITY),
+            0,
+            "inf in the scale",
+        ),
+        (table().set(0, "opacity", f32::NAN), 0, "NaN in the opacity"),
+        (no_rotation, 1, "a quaternion of length 0"),
+        (zero(table(), 7), 7, "a quaternion of length 0"),
+    ];
+    for (table, row, why) in cases {
+        let bytes = table.bytes(Encoding::Little);
+        let found = ply::read(&bytes).and_then(|found| found.sound()).unwrap();
+        let said = found.assumptions[0].to_string();
+        let expected =
+            format!("splats that can't be drawn: 1 of 60 left out (number {row} has {why}");
+        assert!(said.starts_with(&expected), "{said}");
+        let mut sound = table.clone();
+        sound.rows.remove(row);
+        let sound = ply::read(&sound.bytes(Encoding::Little)).unwrap().splats;
+        assert_eq!(found.splats, sound);
+    }
+    let all = ["x", "y", "z"].iter().fold(table(), |table, name| {
+        (0..60).fold(table, |table, row| table.set(row, name, f32::NAN))
+    });
+    let refused = all.read(Encoding::Little).unwrap_err();
+    assert!(
+        refused.contains("none of 60 that can be drawn"),
+        "{refused}"
     );
 }
 
@@ -238,6 +281,7 @@ proptest! {
 tests! {
     numbers_beyond_what_is_stored_stay_finite,
     each_fault_is_named,
+    bad_rows_are_left_out,
     a_file_that_ends_too_soon_is_refused_wherever_it_ends,
     text_that_is_no_number_is_named,
     memory_follows_from_the_file_not_from_its_word,

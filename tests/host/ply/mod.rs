@@ -3,6 +3,7 @@
 
 pub mod adversarial;
 pub mod cameras;
+pub mod columns;
 mod table;
 
 use crate::common::{self, Sizes};

@@ -210,6 +210,43 @@ fn memory_follows_from_the_file_not_from_its_word() {
     assert!(peak < 4 * bytes.len() + (64 << 20), "{peak} bytes");
 }
 
+/// f64 that were f32 and hands at rest deflate to a fourth: what the file unpacks to counts.
+fn compressed_motion_is_that_of_the_plain_file() {
+    let frames = 9000;
+    let mut state = 1u32;
+    let mut numbers = Vec::with_capacity(frames * 156 * 8);
+    for _ in 0..frames {
+        for column in 0..156 {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let turn = if column < 66 {
+                (state >> 8) as f32 / 1e8
+            } else {
+                0.0
+            };
+            numbers.extend(f64::from(turn).to_le_bytes());
+        }
+    }
+    let members = [
+        ("README.txt", b"made by hand".to_vec()),
+        (
+            "poses.npy",
+            npy("<f8", &format!("({frames}, 156)"), &numbers),
+        ),
+        ("__MACOSX/._poses.npy", vec![0; 40]),
+    ];
+    let [plain, compressed] = [CompressionMethod::Stored, CompressionMethod::Deflated]
+        .map(|method| archive(&members, method));
+    assert!(3 * compressed.len() < plain.len(), "{}", compressed.len());
+    let read = |bytes| {
+        smpl::from_bytes(bytes, &Options::default())
+            .unwrap()
+            .capture
+    };
+    let (capture, peak) = memory::peak(|| read(&compressed));
+    assert_eq!(capture, read(&plain));
+    assert!(peak < 4 * plain.len() + (64 << 20), "{peak} bytes");
+}
+
 fn a_file_that_ends_too_soon_is_refused_wherever_it_ends() {
     for file in FILES {
         for end in 0..file.bytes.len() {
@@ -249,6 +286,7 @@ tests! {
     each_fault_is_named,
     pickles_take_what_their_size_allows,
     memory_follows_from_the_file_not_from_its_word,
+    compressed_motion_is_that_of_the_plain_file,
     a_file_that_ends_too_soon_is_refused_wherever_it_ends,
     changed_bytes_never_panic,
 }

@@ -1,7 +1,11 @@
 //! Splat formats: `tests/data/splats/make.py` had programs that know nothing of Effigy write the same
 //! splats in each; every number comes back within the format's own steps.
 
+pub mod bad_rows;
+pub mod containers;
+pub mod drafts;
 pub mod hostile;
+pub mod streamed;
 pub mod written;
 
 use effigy_core::{

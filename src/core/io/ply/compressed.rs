@@ -18,7 +18,7 @@ use crate::{
     avatar::{Filter, ShCoefficients},
     io::{
         file::FormatError,
-        splats::{Splats, Up, functions_of},
+        splats::{Found, Splats, Up, functions_of},
     },
 };
 use std::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
@@ -61,7 +61,7 @@ struct Chunk {
 ///
 /// # Errors
 /// When an element or property is missing, or the elements' lengths do not fit each other.
-pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Splats, FormatError> {
+pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Found, FormatError> {
     let vertices = Table::new(bytes, header, &header.vertices)?;
     let count = vertices.len();
     let chunks = header
@@ -85,7 +85,7 @@ pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Splats, FormatEr
     let chunk = |vertex| &chunks[vertex / CHUNK];
     let harmonics = read_harmonics(bytes, header, count)?;
     let all = 0..count;
-    Ok(Splats {
+    let splats = Splats {
         position: all
             .clone()
             .map(|k| chunk(k).position.at(three(code(k, position))))
@@ -108,6 +108,10 @@ pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Splats, FormatEr
         harmonics: harmonics.rows,
         up,
         filter: Filter::DEFAULT,
+    };
+    Ok(Found {
+        splats,
+        assumptions: vertices.passed_over().into_iter().collect(),
     })
 }
 

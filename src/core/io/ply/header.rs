@@ -4,6 +4,7 @@ use crate::io::{
     file::{FormatError, excerpt},
     splats::Up,
 };
+use std::borrow::Cow;
 
 /// Maximum length of a header, bytes; 3DGS writes 1.5 KB.
 const HEADER_MAX: usize = 64 << 10;
@@ -115,8 +116,8 @@ struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// The next line, without its end.
-    fn next_line(&mut self) -> Result<&'a str, FormatError> {
+    /// The next line, without its end. Bytes of comments that are no text are replaced.
+    fn next_line(&mut self) -> Result<Cow<'a, str>, FormatError> {
         let rest = &self.bytes[self.at..self.bytes.len().min(HEADER_MAX)];
         let Some(length) = rest.iter().position(|&byte| byte == b'\n') else {
             let found = format!(
@@ -132,12 +133,12 @@ impl<'a> Lines<'a> {
         let line = rest[..length]
             .strip_suffix(b"\r")
             .unwrap_or(&rest[..length]);
-        std::str::from_utf8(line).map_err(|_| {
-            FormatError::container(
-                "a header with bytes that are no text",
-                "a .ply file's header",
-            )
-        })
+        let text = String::from_utf8_lossy(line);
+        let is_comment = text.starts_with("comment") || text.starts_with("obj_info");
+        if matches!(text, Cow::Owned(_)) && !is_comment {
+            return Err(wrong(&text, "text outside comments"));
+        }
+        Ok(text)
     }
 }
 
@@ -159,7 +160,7 @@ pub fn parse(bytes: &[u8]) -> Result<PlyHeader, FormatError> {
     let mut up = None;
     let mut elements = Vec::<ElementHeader>::new();
     loop {
-        let line = lines.next_line()?;
+        let line = &*lines.next_line()?;
         let words: Vec<&str> = line.split_ascii_whitespace().collect();
         match words.as_slice() {
             ["end_header"] => break,

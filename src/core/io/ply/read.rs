@@ -5,7 +5,7 @@ use crate::{
     avatar::Avatar,
     io::{
         file::{FileError, FormatError, read_with},
-        splats::{Splats, Up, check_count},
+        splats::{Found, Up, check_count},
     },
 };
 use std::{fs::File, io::Read, path::Path};
@@ -43,18 +43,18 @@ pub fn starts_ply(bytes: &[u8]) -> bool {
 /// Reads an avatar from the bytes of a `.ply`. `up`: see [`open`].
 ///
 /// # Errors
-/// When a property is missing, a number is not finite, or the file ends too soon.
+/// When a property is missing, no vertex has finite numbers, or the file ends too soon.
 pub fn from_bytes(bytes: &[u8], name: &str, up: Option<Up>) -> Result<Avatar, FormatError> {
-    let mut splats = read(bytes)?;
+    let mut splats = read(bytes)?.sound()?.splats;
     splats.up = up.unwrap_or(splats.up);
     splats.to_avatar(name)
 }
 
-/// Reads the splats of a `.ply`, plain or compressed as SuperSplat does.
+/// Reads the splats of a `.ply`, plain or compressed as SuperSplat does. No number is checked.
 ///
 /// # Errors
 /// When a property is missing or the file ends too soon.
-pub fn read(bytes: &[u8]) -> Result<Splats, FormatError> {
+pub fn read(bytes: &[u8]) -> Result<Found, FormatError> {
     let header = header::parse(bytes)?;
     check_count(header.vertices.count)?;
     let up = header.up.unwrap_or(Up::TRAINED);

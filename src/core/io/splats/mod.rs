@@ -6,7 +6,10 @@ mod avatar;
 mod axes;
 mod check;
 mod columns;
+mod far;
+mod found;
 mod harmonics;
+mod join;
 #[cfg(not(target_arch = "wasm32"))]
 mod posed;
 mod up;
@@ -15,6 +18,8 @@ pub use crate::avatar::harmonics::functions_of;
 pub use axes::principal_axes;
 pub use check::check_count;
 pub use columns::{from_columns, to_columns};
+pub use far::{far_middle, moved};
+pub use found::Found;
 #[cfg(not(target_arch = "wasm32"))]
 pub use posed::{Uniform, from_gaussians};
 pub use up::Up;

@@ -2,62 +2,10 @@
 //! beside it.
 
 use super::document::{Document, View, entry};
-use crate::splats::{
-    beside::Beside,
-    bytes::{slice, u32_at},
-};
+use crate::splats::{beside::Beside, bytes::slice};
 use base64::{Engine, prelude::BASE64_STANDARD};
 use effigy_core::io::file::{FormatError, excerpt};
 use std::borrow::Cow;
-
-/// Types of the chunks of a `.glb`.
-const JSON: u32 = 0x4E4F_534A;
-const BIN: u32 = 0x004E_4942;
-
-/// The chunks of a file.
-pub struct Chunks<'a> {
-    pub document: &'a [u8],
-    pub binary: Option<&'a [u8]>,
-}
-
-/// Splits a `.glb`; anything else is all document.
-pub fn chunks(bytes: &[u8]) -> Result<Chunks<'_>, FormatError> {
-    if !bytes.starts_with(b"glTF") {
-        return Ok(Chunks {
-            document: bytes,
-            binary: None,
-        });
-    }
-    let header = slice(bytes, 0, 12, "a header")?;
-    let [version, length] = [4, 8].map(|at| u32_at(header, at));
-    if version != 2 {
-        return Err(FormatError::container(
-            format!("version {version} of .glb"),
-            "2",
-        ));
-    }
-    let whole = slice(bytes, 0, length.into(), "a .glb")?;
-    let mut at = 12;
-    let mut document = None;
-    let mut binary = None;
-    while at < whole.len() as u64 {
-        let head = slice(whole, at, 8, "a chunk's header")?;
-        let [length, kind] = [0, 4].map(|at| u32_at(head, at));
-        let content = slice(whole, at + 8, length.into(), "a chunk")?;
-        match kind {
-            JSON => document = document.or(Some(content)),
-            BIN => binary = binary.or(Some(content)),
-            // Others are for extensions that are not read.
-            _ => {}
-        }
-        at += 8 + u64::from(length);
-    }
-    Ok(Chunks {
-        document: document
-            .ok_or_else(|| FormatError::container("a .glb without a document", "a chunk JSON"))?,
-        binary,
-    })
-}
 
 /// The bytes of every buffer that splats use.
 pub struct Buffers<'a> {

@@ -1,6 +1,7 @@
 //! What is read of the document.
 
 use super::EXTENSION;
+use crate::glb;
 use effigy_core::io::file::{FormatError, excerpt};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -153,12 +154,8 @@ impl Document {
                 format!("at most {OBJECTS} and {VALUES}"),
             ));
         }
-        let document: Self = serde_json::from_slice(bytes).map_err(|error| {
-            FormatError::container(
-                format!("a glTF document that can't be read: {error}"),
-                "JSON as glTF 2.0 has it",
-            )
-        })?;
+        let document: Self =
+            serde_json::from_slice(bytes).map_err(|error| glb::unreadable(bytes, &error))?;
         let mut required = document.extensions_required.iter();
         match required.find(|name| !is_understood(name)) {
             None => Ok(document),

@@ -7,13 +7,13 @@ use super::{
 };
 use crate::{
     assumption::Assumption,
-    splats::{found::Found, logit, plausible, spz},
+    splats::{logit, plausible, spz},
 };
 use effigy_core::{
     avatar::Filter,
     io::{
         file::{FormatError, excerpt},
-        splats::{Splats, Up, functions_of},
+        splats::{Found, Splats, Up, functions_of},
     },
 };
 
@@ -60,7 +60,7 @@ pub fn read(
     }
     let mut found = match packed(primitive) {
         Some(packed) => spz::read(buffers.view(packed.buffer_view)?.bytes)?,
-        None => plain(document, buffers, primitive)?.into(),
+        None => plain(document, buffers, primitive)?,
     };
     found.assumptions.splice(0..0, assumptions);
     Ok(found)
@@ -89,46 +89,128 @@ fn check(splatting: &Splatting) -> Result<Vec<Assumption>, FormatError> {
         .collect())
 }
 
+/// The names that attributes have in a version of the extension.
+struct Names {
+    rotation: String,
+    scale: String,
+    /// None: opacities and colours are in `COLOR_0`, as in the draft of 2025.
+    opacity: Option<String>,
+    /// Before the names of harmonics.
+    harmonics: String,
+}
+
+impl Names {
+    fn of(primitive: &Primitive) -> Self {
+        let has = |name: &str| primitive.attributes.contains_key(name);
+        let prefix = format!("{EXTENSION}:");
+        let is_draft = has("_ROTATION") && !has(&format!("{prefix}ROTATION"));
+        let start = if is_draft { "_" } else { &prefix };
+        Self {
+            rotation: format!("{start}ROTATION"),
+            scale: format!("{start}SCALE"),
+            opacity: (!is_draft).then(|| format!("{prefix}OPACITY")),
+            harmonics: if has(&format!("{start}SH_DEGREE_1_COEF_0")) {
+                start.into()
+            } else {
+                prefix
+            },
+        }
+    }
+}
+
+/// The attributes of a primitive.
+struct Attributes<'a> {
+    document: &'a Document,
+    buffers: &'a Buffers<'a>,
+    primitive: &'a Primitive,
+    count: u64,
+}
+
+impl Attributes<'_> {
+    fn rows<const N: usize>(&self, name: &str) -> Result<Vec<[f32; N]>, FormatError> {
+        let index = find(self.primitive, name)?;
+        accessor::rows(self.document, self.buffers, index, self.count, name)
+    }
+
+    /// RGB or RGBA from 0 to 1, as RGBA.
+    fn colors(&self) -> Result<Vec<[f32; 4]>, FormatError> {
+        let index = find(self.primitive, COLOR)?;
+        let accessor = entry(&self.document.accessors, index, "accessor")?;
+        if accessor.shape == "VEC3" {
+            let opaque = |[r, g, b]: [f32; 3]| [r, g, b, 1.0];
+            return Ok(self.rows(COLOR)?.into_iter().map(opaque).collect());
+        }
+        self.rows(COLOR)
+    }
+}
+
+/// The attribute of colours that points have without the extension.
+const COLOR: &str = "COLOR_0";
+
+fn find(primitive: &Primitive, name: &str) -> Result<usize, FormatError> {
+    let index = primitive.attributes.get(name).copied();
+    index.ok_or_else(|| {
+        let names: Vec<String> = primitive
+            .attributes
+            .keys()
+            .map(|name| excerpt(name))
+            .collect();
+        FormatError::container(
+            format!("no attribute `{name}` among {}", names.join(", ")),
+            format!("those of {EXTENSION}"),
+        )
+    })
+}
+
 fn plain(
     document: &Document,
     buffers: &Buffers,
     primitive: &Primitive,
-) -> Result<Splats, FormatError> {
-    let find = |name: &str| {
-        let index = primitive.attributes.get(name).copied();
-        index.ok_or_else(|| {
-            FormatError::container(
-                format!("no attribute `{name}`"),
-                format!("those of {EXTENSION}"),
-            )
-        })
-    };
-    let position = find("POSITION")?;
+) -> Result<Found, FormatError> {
+    let names = Names::of(primitive);
+    let position = find(primitive, "POSITION")?;
     let count = entry(&document.accessors, position, "accessor")?.count;
     plausible::check(count, buffers.total())?;
-    let three = |index, what: &str| accessor::rows::<3>(document, buffers, index, count, what);
-    let of = |name: &str| format!("{EXTENSION}:{name}");
-    let [rotation, scale, opacity] = [of("ROTATION"), of("SCALE"), of("OPACITY")];
-    let color = of("SH_DEGREE_0_COEF_0");
-    let rotation = accessor::rows::<4>(document, buffers, find(&rotation)?, count, &rotation)?;
-    let part = accessor::rows::<1>(document, buffers, find(&opacity)?, count, &opacity)?;
-    if let Some([bad]) = part.iter().find(|[part]| !(0.0..=1.0).contains(part)) {
-        return Err(FormatError::container(
-            format!("an opacity of {bad}"),
-            "0 to 1",
-        ));
-    }
+    let all = Attributes {
+        document,
+        buffers,
+        primitive,
+        count,
+    };
+    let rotation = all.rows::<4>(&names.rotation)?;
+    let (opacity, color): (Vec<f32>, Vec<[f32; 3]>) = match &names.opacity {
+        Some(opacity) => {
+            let part = all.rows::<1>(opacity)?;
+            let is_odd = |part: &f32| part.is_finite() && !(0.0..=1.0).contains(part);
+            if let Some(bad) = part.as_flattened().iter().find(|part| is_odd(part)) {
+                return Err(FormatError::container(
+                    format!("an opacity of {bad}"),
+                    "0 to 1",
+                ));
+            }
+            let name = format!("{EXTENSION}:SH_DEGREE_0_COEF_0");
+            let opacity = part.into_iter().map(|[part]| logit::of_part(part));
+            (opacity.collect(), all.rows(&name)?)
+        }
+        None => {
+            let split = |[r, g, b, a]: [f32; 4]| {
+                let color = [r, g, b].map(logit::color_of_part);
+                (logit::of_part(a.clamp(0.0, 1.0)), color)
+            };
+            all.colors()?.into_iter().map(split).unzip()
+        }
+    };
     let mut degree = 0;
     let mut columns = vec![];
     for next in 1..=3 {
         let names: Vec<String> = (0..2 * next + 1)
-            .map(|k| of(&format!("SH_DEGREE_{next}_COEF_{k}")))
+            .map(|k| format!("{}SH_DEGREE_{next}_COEF_{k}", names.harmonics))
             .collect();
         if !primitive.attributes.contains_key(&names[0]) {
             break;
         }
         for name in &names {
-            columns.push(three(find(name)?, name)?);
+            columns.push(all.rows::<3>(name)?);
         }
         degree = next;
     }
@@ -136,24 +218,59 @@ fn plain(
     for k in 0..count as usize {
         harmonics.extend(columns.iter().map(|column| column[k]));
     }
-    Ok(Splats {
-        position: three(position, "POSITION")?,
+    let splats = Splats {
+        position: all.rows("POSITION")?,
         rotation: rotation
             .into_iter()
             .map(|[x, y, z, w]| [w, x, y, z])
             .collect(),
-        log_scale: three(find(&scale)?, &scale)?
+        log_scale: all
+            .rows::<3>(&names.scale)?
             .into_iter()
             .map(|row| row.map(f32::ln))
             .collect(),
-        opacity: part
-            .into_iter()
-            .map(|[part]| logit::of_part(part))
-            .collect(),
-        color: three(find(&color)?, &color)?,
+        opacity,
+        color,
         degree,
         harmonics,
         up: Up::Y,
         filter: Filter::DEFAULT,
+    };
+    let draft = names.opacity.is_none().then(|| Assumption {
+        what: "attributes",
+        taken: format!("{COLOR}, _ROTATION and _SCALE"),
+        because: format!("the file is of a draft of {EXTENSION}"),
+    });
+    Ok(Found {
+        splats,
+        assumptions: draft
+            .into_iter()
+            .chain(passed_over(primitive, degree))
+            .collect(),
+    })
+}
+
+/// Says which attributes are none of splats'. `degree`: of the harmonics that were read.
+fn passed_over(primitive: &Primitive, degree: usize) -> Option<Assumption> {
+    let is_read = |name: &str| {
+        let own = name
+            .strip_prefix(EXTENSION)
+            .map(|rest| rest.trim_start_matches(':'));
+        let own = own.or(name.strip_prefix('_')).unwrap_or(name);
+        match own.strip_prefix("SH_DEGREE_") {
+            Some(band) => (0..=degree).any(|known| band.starts_with(&known.to_string())),
+            // Beside splats' own what points have where the extension is not known.
+            None => [
+                "POSITION", "ROTATION", "SCALE", "OPACITY", COLOR, "NORMAL", "TANGENT",
+            ]
+            .contains(&own),
+        }
+    };
+    let others = primitive.attributes.keys().filter(|name| !is_read(name));
+    let others: Vec<String> = others.map(|name| excerpt(name)).collect();
+    (!others.is_empty()).then(|| Assumption {
+        what: "attributes",
+        taken: format!("{} left out", others.join(", ")),
+        because: format!("they are none of {EXTENSION} up to degree 3"),
     })
 }

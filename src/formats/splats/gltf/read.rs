@@ -2,18 +2,23 @@
 
 use super::{
     EXTENSION,
-    buffers::{Buffers, chunks},
+    buffers::Buffers,
     document::{Document, Primitive, entry},
     primitive,
     scene::{self, Placed},
 };
 use crate::{
     assumption::Assumption,
-    splats::{beside::Beside, found::Found, plausible},
+    glb,
+    splats::{beside::Beside, plausible},
 };
-use effigy_core::io::{
-    file::FormatError,
-    splats::{Splats, Up, functions_of},
+use effigy_core::{
+    avatar::limits,
+    glam::{DAffine3, DVec3},
+    io::{
+        file::FormatError,
+        splats::{Found, Splats, Up, moved},
+    },
 };
 
 /// Reads a `.glb`, or a `.gltf` whose buffers `beside` has.
@@ -21,8 +26,8 @@ use effigy_core::io::{
 /// # Errors
 /// When the document or what it refers to breaks a rule, or the scene has no splats.
 pub fn read(bytes: &[u8], beside: &mut dyn Beside) -> Result<Found, FormatError> {
-    let chunks = chunks(bytes)?;
-    let document = Document::parse(chunks.document)?;
+    let file = glb::parts(bytes)?;
+    let document = Document::parse(&file.document)?;
     let placed = scene::meshes(&document)?;
     let mut used = vec![false; document.buffers.len()];
     let mut parts: Vec<Part> = vec![];
@@ -39,19 +44,30 @@ pub fn read(bytes: &[u8], beside: &mut dyn Beside) -> Result<Found, FormatError>
         }
     }
     if parts.is_empty() {
+        let count = document.meshes.len();
         return Err(FormatError::container(
-            "a glTF scene without splats",
+            format!("a glTF scene without splats, of {count} meshes"),
             format!("points with the extension {EXTENSION}"),
         ));
     }
-    let buffers = Buffers::read(&document, chunks.binary, &used, beside)?;
+    let buffers = Buffers::read(&document, file.binary, &used, beside)?;
     let mut all: Option<Splats> = None;
     let mut assumptions: Vec<Assumption> = vec![];
+    // Nodes put tiles of the globe at its centre's distance.
+    let origin = parts.first().map(|part| part.place.translation.round());
+    let is_far = |origin: &DVec3| origin.abs().max_element() > limits::LENGTH;
+    let origin = origin.filter(is_far).unwrap_or_default();
+    if origin != DVec3::ZERO {
+        assumptions.push(moved(origin.to_array()));
+    }
     for Part { primitive, place } in parts {
         let found = primitive::read(&document, &buffers, primitive)?;
+        let place = DAffine3 {
+            translation: place.translation - origin,
+            ..*place
+        };
         // A node's transform is meant for y up.
-        found.splats.check()?;
-        let splats = found.splats.with_up(Up::Y).transformed(place);
+        let splats = found.splats.with_up(Up::Y).transformed(&place);
         let splats = splats.ok_or_else(|| {
             FormatError::container(
                 "a node that mirrors or flattens its splats",
@@ -67,7 +83,7 @@ pub fn read(bytes: &[u8], beside: &mut dyn Beside) -> Result<Found, FormatError>
         plausible::check(count as u64, buffers.total())?;
         all = Some(match all {
             None => splats,
-            Some(before) => joined(before, splats),
+            Some(before) => before.joined(splats),
         });
     }
     let splats = all.ok_or_else(|| FormatError::container("no splats", "some"))?;
@@ -80,33 +96,5 @@ pub fn read(bytes: &[u8], beside: &mut dyn Beside) -> Result<Found, FormatError>
 /// A primitive in the scene.
 struct Part<'a> {
     primitive: &'a Primitive,
-    place: &'a effigy_core::glam::DAffine3,
-}
-
-/// Both, with harmonics up to the higher degree, and the low-pass of the first.
-fn joined(mut first: Splats, second: Splats) -> Splats {
-    let degree = first.degree.max(second.degree);
-    let mut harmonics = widened(&first, degree);
-    harmonics.extend(widened(&second, degree));
-    first.position.extend(second.position);
-    first.rotation.extend(second.rotation);
-    first.log_scale.extend(second.log_scale);
-    first.opacity.extend(second.opacity);
-    first.color.extend(second.color);
-    Splats {
-        degree,
-        harmonics,
-        ..first
-    }
-}
-
-/// The harmonics with zeros up to a degree.
-fn widened(splats: &Splats, degree: usize) -> Vec<[f32; 3]> {
-    let (own, wanted) = (functions_of(splats.degree), functions_of(degree));
-    let mut harmonics = Vec::with_capacity(wanted * splats.len());
-    for k in 0..splats.len() {
-        harmonics.extend(&splats.harmonics[own * k..][..own]);
-        harmonics.extend(std::iter::repeat_n([0.0; 3], wanted - own));
-    }
-    harmonics
+    place: &'a DAffine3,
 }

@@ -1,6 +1,6 @@
 //! `meta.json`.
 
-use effigy_core::io::{file::FormatError, splats::functions_of};
+use effigy_core::io::{file::FormatError, splats::functions_of, text};
 use serde::Deserialize;
 
 /// Longest document, bytes: codebooks take 15 KB.
@@ -33,7 +33,7 @@ pub struct Entry {
     #[serde(default)]
     maxs: Vec<f32>,
     #[serde(default)]
-    pub codebook: Vec<f32>,
+    pub codebook: Vec<Option<f32>>,
     pub files: Vec<String>,
 }
 
@@ -45,7 +45,7 @@ pub struct Harmonics {
     #[serde(default)]
     pub bands: Option<u32>,
     #[serde(default)]
-    pub codebook: Vec<f32>,
+    pub codebook: Vec<Option<f32>>,
     #[serde(default)]
     pub mins: Option<f32>,
     #[serde(default)]
@@ -68,7 +68,7 @@ impl<const N: usize> Extremes<N> {
 
 impl Document {
     pub fn parse(bytes: &[u8]) -> Result<Self, FormatError> {
-        let document: Self = serde_json::from_slice(bytes).map_err(|error| {
+        let document: Self = serde_json::from_slice(&text::utf8(bytes)).map_err(|error| {
             FormatError::container(
                 format!("a meta.json that can't be read: {error}"),
                 "that of a SOG",
@@ -142,15 +142,20 @@ impl Harmonics {
     }
 }
 
-/// A codebook of one number for each byte.
-pub fn codebook(numbers: &[f32], name: &str) -> Result<[f32; 256], FormatError> {
-    numbers.try_into().map_err(|_| {
-        wrong(
-            name,
-            format!("a codebook of {}", numbers.len()),
-            "256 numbers",
-        )
-    })
+/// A codebook of one number for each byte. The first may be null, as splat-transform wrote it at
+/// first: it follows from the others, which are evenly spaced where it stands.
+pub fn codebook(numbers: &[Option<f32>], name: &str) -> Result<[f32; 256], FormatError> {
+    let mut book = [0.0; 256];
+    if numbers.len() != book.len() {
+        let found = format!("a codebook of {}", numbers.len());
+        return Err(wrong(name, found, "256 numbers"));
+    }
+    for (code, number) in numbers.iter().enumerate().skip(1) {
+        let null = || wrong(name, format!("null at {code} of the codebook"), "a number");
+        book[code] = number.ok_or_else(null)?;
+    }
+    book[0] = numbers[0].unwrap_or(book[1] - (book[255] - book[1]) / 255.0);
+    Ok(book)
 }
 
 fn files<'a, const N: usize>(names: &'a [String], of: &str) -> Result<[&'a str; N], FormatError> {

@@ -10,10 +10,16 @@
 //! | `shN`, two | a palette of harmonics, 64 entries a row, a pixel a function; and each splat's 16-bit index in R and G |
 
 mod document;
+mod lod;
 mod read;
 mod texture;
+mod zipped;
 
-pub use read::{in_archive, in_folder, is_sog};
+pub use lod::{in_archive, read as streamed};
+pub use read::in_folder;
+pub use zipped::is_sog;
 
 /// The document's name in an archive.
 pub const META: &str = "meta.json";
+/// That of a streamed SOG.
+pub const LOD_META: &str = "lod-meta.json";

@@ -4,13 +4,11 @@ use super::{
     META,
     document::{self, Document, Extremes, Harmonics, codebook, wrong},
     texture::{Texture, most_bytes},
+    zipped::Zipped,
 };
-use crate::{
-    splats::{
-        beside::{Beside, limited, missing},
-        logit, plausible,
-    },
-    zip_file::{self, ZipFile},
+use crate::splats::{
+    beside::{Beside, missing},
+    logit, plausible,
 };
 use effigy_core::{
     avatar::{Filter, limits},
@@ -19,7 +17,7 @@ use effigy_core::{
         splats::{Splats, Up, functions_of},
     },
 };
-use std::{f32::consts::FRAC_1_SQRT_2, io::Read};
+use std::f32::consts::FRAC_1_SQRT_2;
 
 /// Palette entries, at most: indices have 16 bits.
 const PALETTE: u64 = 1 << 16;
@@ -30,42 +28,14 @@ const SPARE_PIXELS: u64 = 64 << 10;
 /// The code of a rotation's A, less the index of its largest part.
 const ROTATION_MARK: u8 = 252;
 
-/// Bytes that any archive may unpack to, and how many times its size: images do not deflate.
-const SMALL: u64 = 1 << 20;
-const GROWTH: u64 = 2;
-
-/// The files of a zip.
-struct Archive<'a> {
-    zip: ZipFile<'a>,
-    /// Bytes that may still be unpacked.
-    left: u64,
-}
-
-impl Beside for Archive<'_> {
-    fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
-        let entry = self.zip.by_name(name);
-        let entry = entry.map_err(|error| missing(name, &error.to_string()))?;
-        let bytes = limited(entry, most.min(self.left)).map_err(|found| missing(name, &found))?;
-        self.left -= bytes.len() as u64;
-        Ok(bytes)
-    }
-}
-
-/// Whether a zip is a SOG: it has a document of that name.
-pub fn is_sog(bytes: &[u8]) -> bool {
-    zip_file::open(bytes).is_ok_and(|archive| archive.index_for_name(META).is_some())
-}
-
-/// Reads a `.sog`.
+/// Reads a `.sog` that has no levels of detail.
 ///
 /// # Errors
 /// When the bytes are no zip or hold no SOG.
-pub fn in_archive(bytes: &[u8]) -> Result<Splats, FormatError> {
-    let zip = zip_file::open(bytes).map_err(|error| {
-        FormatError::container(format!("a zip that can't be read: {error}"), "a .sog")
-    })?;
-    let left = SMALL.max(GROWTH * bytes.len() as u64);
-    let mut files = Archive { zip, left };
+pub fn in_plain_archive(bytes: &[u8]) -> Result<Splats, FormatError> {
+    let zip = Zipped::new(bytes)?;
+    let folder = zip.folder_of(META).unwrap_or_default();
+    let mut files = zip.files(&folder);
     let meta = files.file(META, document::MAX)?;
     read(&meta, &mut files)
 }
@@ -74,13 +44,11 @@ pub fn in_archive(bytes: &[u8]) -> Result<Splats, FormatError> {
 ///
 /// # Errors
 /// When the document or an image breaks a rule.
-pub fn in_folder(mut meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
-    let mut bytes = Vec::new();
-    let whole = meta.by_ref().take(document::MAX).read_to_end(&mut bytes);
-    if whole.is_err() || !meta.is_empty() {
+pub fn in_folder(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
+    if meta.len() as u64 > document::MAX {
         return Err(missing(META, &format!("more than {} bytes", document::MAX)));
     }
-    read(&bytes, files)
+    read(meta, files)
 }
 
 /// The images' files, unpacked one by one later.
@@ -130,8 +98,7 @@ fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
             .collect()
     };
     let quats = decode(&quats)?;
-    let rotation = quats.pixels[..n].iter().map(rotation);
-    let rotation = rotation.collect::<Result<_, _>>()?;
+    let rotation = quats.pixels[..n].iter().map(rotation).collect();
     let log_scale = Numbers::of_scales(&document)?;
     let log_scale = decode(&scales)?.pixels[..n]
         .iter()
@@ -178,25 +145,23 @@ fn position(low: &[u8; 4], high: &[u8; 4], range: &Extremes<3>) -> [f32; 3] {
     })
 }
 
-fn rotation(pixel: &[u8; 4]) -> Result<[f32; 4], FormatError> {
+/// A quaternion; of length 0 where its mark is none, so that the splat is left out.
+fn rotation(pixel: &[u8; 4]) -> [f32; 4] {
     let [parts @ .., mark] = *pixel;
-    let largest = mark.checked_sub(ROTATION_MARK).ok_or_else(|| {
-        FormatError::container(
-            format!("a rotation of mark {mark}"),
-            format!("{ROTATION_MARK} to 255"),
-        )
-    })?;
+    let Some(largest) = mark.checked_sub(ROTATION_MARK) else {
+        return [0.0; 4];
+    };
     let mut small = parts
         .map(|byte| (f32::from(byte) / 127.5 - 1.0) * FRAC_1_SQRT_2)
         .into_iter();
     let rest = 1.0 - small.clone().map(|v| v * v).sum::<f32>();
-    Ok(std::array::from_fn(|k| {
+    std::array::from_fn(|k| {
         if k == usize::from(largest) {
             rest.max(0.0).sqrt()
         } else {
             small.next().unwrap_or_default()
         }
-    }))
+    })
 }
 
 /// What the codes of scales or colours mean.
@@ -263,11 +228,9 @@ fn read_harmonics(
     for &[low, high, ..] in labels {
         let label = usize::from(u16::from_le_bytes([low, high]));
         if label >= entries {
-            return Err(wrong(
-                "shN",
-                format!("entry {label}"),
-                format!("below {entries}"),
-            ));
+            // Such a splat is left out.
+            rows.extend(std::iter::repeat_n([f32::NAN; 3], functions));
+            continue;
         }
         let start = label / PALETTE_ROW * palette.width + label % PALETTE_ROW * functions;
         let entry = &palette.pixels[start..][..functions];

@@ -101,6 +101,20 @@ impl Header {
         ]
     }
 
+    /// Takes an unpacked file of versions 1 to 3 apart.
+    fn split(self, whole: &[u8]) -> Result<Unpacked, FormatError> {
+        let mut at = HEADER as u64;
+        let mut parts = [const { Vec::new() }; 6];
+        for (part, width) in parts.iter_mut().zip(self.widths()) {
+            let length = width * self.count;
+            *part = slice(whole, at, length, "unpacked splats")?.to_vec();
+            at += length;
+        }
+        let records = whole.get(at as usize..).unwrap_or_default();
+        let up = up(self.flags, records)?;
+        Ok(self.with(parts, up))
+    }
+
     fn with(self, parts: [Vec<u8>; 6], up: Up) -> Unpacked {
         let [position, opacity, color, log_scale, rotation, harmonics] = parts;
         Unpacked {
@@ -124,15 +138,26 @@ fn wrong_version(version: u32, expected: &str) -> FormatError {
     FormatError::container(format!("version {version} of .spz"), expected)
 }
 
-/// Unpacks a file of any version.
+/// Whether bytes are a gzip of a file of versions 1 to 3.
+pub fn is_packed(bytes: &[u8]) -> bool {
+    let mut start = [0; 8];
+    let read = std::io::Read::read_exact(&mut GzDecoder::new(bytes), &mut start);
+    read.is_ok() && start.starts_with(MAGIC) && (1..=3).contains(&u32_at(&start, 4))
+}
+
+/// Unpacks a file of any version. Those of versions 1 to 3 may have lost their gzip.
 ///
 /// # Errors
 /// When it is none, says something impossible, or unpacks to something else than it says.
 pub fn unpack(bytes: &[u8]) -> Result<Unpacked, FormatError> {
-    if bytes.starts_with(MAGIC) {
-        unpack_4(bytes)
-    } else {
-        unpack_gzip(bytes)
+    if !bytes.starts_with(MAGIC) {
+        return unpack_gzip(bytes);
+    }
+    let header = Header::read(bytes, bytes.len())?;
+    match header.version {
+        1..=3 => header.split(bytes),
+        4 => unpack_4(bytes, header),
+        other => Err(wrong_version(other, "1 to 4")),
     }
 }
 
@@ -153,23 +178,10 @@ fn unpack_gzip(bytes: &[u8]) -> Result<Unpacked, FormatError> {
         .sum();
     let most = HEADER as u64 + total + SLACK;
     let whole = limited(GzDecoder::new(bytes), most).map_err(unreadable)?;
-    let mut at = HEADER as u64;
-    let mut parts = [const { Vec::new() }; 6];
-    for (part, width) in parts.iter_mut().zip(header.widths()) {
-        let length = width * header.count;
-        *part = slice(&whole, at, length, "unpacked splats")?.to_vec();
-        at += length;
-    }
-    let records = whole.get(at as usize..).unwrap_or_default();
-    let up = up(header.flags, records)?;
-    Ok(header.with(parts, up))
+    header.split(&whole)
 }
 
-fn unpack_4(bytes: &[u8]) -> Result<Unpacked, FormatError> {
-    let header = Header::read(bytes, bytes.len())?;
-    if header.version != 4 {
-        return Err(wrong_version(header.version, "4, if it is no gzip"));
-    }
+fn unpack_4(bytes: &[u8], header: Header) -> Result<Unpacked, FormatError> {
     let start = slice(bytes, 0, HEADER_4 as u64, "a header")?;
     let streams = u64::from(start[15]);
     let table_at = u64::from(u32_at(start, 16));

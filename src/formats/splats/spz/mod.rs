@@ -11,7 +11,7 @@
 //! | harmonics | 8 bits each, 128 + 128 times it, RGB of a function together |
 //!
 //! Since version 3 a rotation's two highest bits are the index of the largest of x y z w; the other
-//! three follow, each a sign and 9 bits, 511 for √½. Versions 1 to 3 are one gzip; version 4 is a
+//! three follow, each a sign and 9 bits, 511 for √½. Versions 1 to 3 are one gzip, or lack it; version 4 is a
 //! plain header, a table of lengths and one zstd frame an attribute.
 
 mod codes;
@@ -19,6 +19,6 @@ mod container;
 mod read;
 mod write;
 
-pub use container::MAGIC;
+pub use container::{MAGIC, is_packed};
 pub use read::read;
 pub use write::write;

@@ -1,13 +1,13 @@
 //! Splats of an unpacked file.
 
-use super::super::{bytes::array, found::Found, logit};
+use super::super::{bytes::array, logit};
 use super::{codes, container};
 use crate::assumption::Assumption;
 use effigy_core::{
     avatar::Filter,
     io::{
         file::FormatError,
-        splats::{Splats, functions_of},
+        splats::{Found, Splats, functions_of},
     },
 };
 use half::f16;
