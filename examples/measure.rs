@@ -4,7 +4,6 @@
 
 use effigy::{
     Avatar, Camera, Clip, Gpu, GpuOptions, Player, Posed, Renderer, RendererOptions, reference,
-    upright,
 };
 use effigy_measure::error;
 use std::{env, error::Error, path::Path, time::Instant};
@@ -34,8 +33,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             &avatar,
             &player.pose(duration * frame as f64 / FRAMES as f64),
         );
-        let bounds = upright(renderer.bounds().bounds(&posed.joints));
-        let camera = Camera::around(bounds, frame as f64, 0.05, 0.61, SIZE);
+        let framing = renderer.bounds().framing(&posed.joints);
+        let camera = Camera::around(framing, frame as f64, 0.05, 0.61, SIZE);
         let began = Instant::now();
         renderer.draw(&posed, &camera, None)?;
         renderer.finish()?;

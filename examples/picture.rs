@@ -2,9 +2,7 @@
 //!
 //! `cargo run --release -p effigy --example picture -- [OUT.png [AVATAR.avatar [CLIP.motion]]]`
 
-use effigy::{
-    Avatar, Camera, Clip, Gpu, GpuOptions, Player, Posed, Renderer, RendererOptions, upright,
-};
+use effigy::{Avatar, Camera, Clip, Gpu, GpuOptions, Player, Posed, Renderer, RendererOptions};
 use std::{env, error::Error, path::Path};
 
 const SIZE: [u32; 2] = [640, 960];
@@ -31,8 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(SIZE))?;
 
     // Turned 20° to the side, 35° of vertical field of view, all of the avatar in the image.
-    let bounds = upright(renderer.bounds().bounds(&posed.joints));
-    let camera = Camera::around(bounds, 0.35, 0.05, 0.61, SIZE);
+    let framing = renderer.bounds().framing(&posed.joints);
+    let camera = Camera::around(framing, 0.35, 0.05, 0.61, SIZE);
     renderer.draw(&posed, &camera, None)?;
     let image = renderer.read_image()?;
     image.over([0.85, 0.87, 0.89]).save(&out)?;

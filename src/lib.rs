@@ -4,7 +4,7 @@
 //!
 //! ```no_run
 //! use effigy::{
-//!     Avatar, Camera, Gpu, GpuOptions, Pose, Posed, Renderer, RendererOptions, upright,
+//!     Avatar, Camera, Gpu, GpuOptions, Pose, Posed, Renderer, RendererOptions,
 //! };
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -15,8 +15,8 @@
 //! let size = [640, 960];
 //! let gpu = Gpu::new(&GpuOptions::headless(None))?;
 //! let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
-//! let bounds = upright(renderer.bounds().bounds(&posed.joints));
-//! let camera = Camera::around(bounds, 0.35, 0.05, 0.61, size);
+//! let framing = renderer.bounds().framing(&posed.joints);
+//! let camera = Camera::around(framing, 0.35, 0.05, 0.61, size);
 //! renderer.draw(&posed, &camera, None)?;
 //! renderer.read_image()?.over([1.0; 3]).save("body.png")?;
 //! # Ok(())
@@ -26,14 +26,14 @@
 //! A camera and a pose need no device, and neither does the reference, which draws in f64:
 //!
 //! ```
-//! use effigy::{AvatarBounds, Camera, Player, Posed, reference, upright};
+//! use effigy::{AvatarBounds, Camera, Player, Posed, reference};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let avatar = effigy_demo::avatar()?;
 //! let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
 //! let posed = Posed::new(&avatar, &player.pose(0.5));
-//! let bounds = upright(AvatarBounds::new(&avatar).bounds(&posed.joints));
-//! let camera = Camera::around(bounds, 0.0, 0.0, 0.61, [32, 48]);
+//! let framing = AvatarBounds::new(&avatar).framing(&posed.joints);
+//! let camera = Camera::around(framing, 0.0, 0.0, 0.61, [32, 48]);
 //! let image = reference::render(&avatar, &posed, &camera);
 //! assert_eq!(image.size, [32, 48]);
 //! assert!(image.pixels.iter().any(|pixel| pixel[3] > 0.9));
@@ -109,7 +109,7 @@ pub use effigy_core::{
     },
     glam,
     io::file::{FileError, FormatError},
-    scene::{AvatarBounds, Camera, Detail, FrameImage, Posed, upright},
+    scene::{AvatarBounds, Camera, Detail, FrameImage, Framing, Posed},
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use vulkan::{Error, Gpu, GpuOptions, Presentation, Renderer};

@@ -14,6 +14,8 @@ layout(std430, set = 0, binding = 1) buffer Gaussians { uvec2 gaussians[]; };
 // avatar stays within the buffer range that every device has.
 layout(std430, set = 0, binding = 2) readonly buffer Low { HALF_QUAD low[]; };
 layout(std430, set = 0, binding = 3) readonly buffer High { HALF_QUAD high[]; };
+layout(std430, set = 0, binding = 4) readonly buffer PoseBuffer { uvec2 pose[]; };
+#include "common/pose.glsl"
 PARAMETER(0, uint, DEGREE, 3u)
 
 vec3 weigh(vec4 a, vec4 b, vec4 c, vec4 function) {
@@ -33,9 +35,9 @@ vec3 from_high(uint group, uint i, vec4 function) {
                  widen(high[at + 2u * frame.gaussians]), function);
 }
 
-// Unit direction from the camera to the Gaussian's neutral position, in canonical space. The camera
-// is the origin of its own space.
-vec3 direction(uvec2 position, uvec2 skin) {
+// Unit direction from the camera to the Gaussian, in canonical space. The camera is the origin of its
+// own space.
+vec3 direction(uvec2 position, uvec2 skin, uvec2 near) {
     uvec4 joint = gaussian_joints(skin);
     vec4 weight = gaussian_weights(skin);
     vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
@@ -45,7 +47,11 @@ vec3 direction(uvec2 position, uvec2 skin) {
         r1 += weight[k] * frame.joint[at + 1u];
         r2 += weight[k] * frame.joint[at + 2u];
     }
-    vec4 x = vec4(gaussian_position(position), 1.0);
+    vec3 node_weight = gaussian_node_weights(near);
+    uvec3 node = gaussian_nodes(near);
+    vec4 x = vec4(gaussian_position(position) + node_weight.x * displacement_of(node.x) +
+                      node_weight.y * displacement_of(node.y) +
+                      node_weight.z * displacement_of(node.z), 1.0);
     vec3 d = dot(r0, x) * r0.xyz + dot(r1, x) * r1.xyz + dot(r2, x) * r2.xyz;
     float size = length(d);
     return size > 0.0 ? d / size : vec3(0.0);
@@ -56,7 +62,8 @@ void main() {
         return;
     }
     uint i = gl_GlobalInvocationID.x << frame.detail_level;
-    vec3 d = direction(gaussians[2u * i], gaussians[2u * i + 1u]);
+    vec3 d = direction(gaussians[2u * i], gaussians[2u * i + 1u],
+                       gaussians[2u * frame.gaussians + i]);
     float x = d.x, y = d.y, z = d.z;
     float xx = x * x, yy = y * y, zz = z * z;
     vec3 color = from_low(0u, i, vec4(1.0, 0.48860251190 * vec3(-y, z, -x)));

@@ -1,7 +1,7 @@
 //! The viewer's camera: it orbits around the avatar and glides to where gestures send it.
 
 use crate::gesture::Gesture;
-use effigy_core::scene::Camera;
+use effigy_core::scene::{Camera, Framing};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -68,17 +68,16 @@ pub struct Orbit {
     shown: OrbitPose,
     /// The point that the target moves along with, metres, in world coordinates.
     anchor: DVec3,
-    /// Lower and upper corner of the avatar's box when the view was last reset, metres from the
-    /// anchor.
-    bounds: [DVec3; 2],
+    /// What the view had in it when it was last reset, metres from the anchor.
+    framing: Framing,
     /// No gesture has changed the view since it was last reset.
     framed: bool,
 }
 
 impl Orbit {
-    /// A view of all of a box, given by its lower and upper corner in world coordinates, from the
-    /// front. `anchor`: the point that the view follows. `size`: the image's, px.
-    pub fn new(bounds: [DVec3; 2], anchor: DVec3, size: [u32; 2]) -> Self {
+    /// A view of all of a box in world coordinates, from the front. `anchor`: the point that the view follows. `size`: the image's, px.
+    pub fn new(framing: impl Into<Framing>, anchor: DVec3, size: [u32; 2]) -> Self {
+        let framing = framing.into();
         let front = OrbitPose {
             target: DVec3::ZERO,
             yaw: FRONT_YAW,
@@ -89,21 +88,25 @@ impl Orbit {
             goal: front,
             shown: front,
             anchor,
-            bounds: [DVec3::ZERO; 2],
+            framing,
             framed: true,
         };
-        orbit.reset(bounds, size);
+        orbit.reset(framing, size);
         orbit.shown = orbit.goal;
         orbit
     }
 
     /// Glides back to a view of all of a box from the front.
-    pub fn reset(&mut self, bounds: [DVec3; 2], size: [u32; 2]) {
-        self.bounds = bounds.map(|corner| corner - self.anchor);
+    pub fn reset(&mut self, framing: impl Into<Framing>, size: [u32; 2]) {
+        let framing = framing.into();
+        self.framing = Framing {
+            bounds: framing.bounds.map(|corner| corner - self.anchor),
+            ..framing
+        };
         // The short way round.
         self.shown.yaw = FRONT_YAW + (self.shown.yaw - FRONT_YAW + PI).rem_euclid(TAU) - PI;
         self.goal = OrbitPose {
-            target: 0.5 * (self.bounds[0] + self.bounds[1]),
+            target: self.framing.middle(),
             yaw: FRONT_YAW,
             pitch: FRONT_PITCH,
             distance: self.framing_distance(size),
@@ -122,13 +125,14 @@ impl Orbit {
 
     /// The distance from which all of the box is visible, metres.
     fn framing_distance(&self, size: [u32; 2]) -> f64 {
-        Camera::framing_distance(self.bounds, FOV, size.map(|side| side.max(1)))
-            .max(2.0 * Camera::NEAR)
+        Camera::framing_distance(self.framing.bounds, FOV, size.map(|side| side.max(1)))
+            .max(2.0 * self.framing.near)
     }
 
     /// Half the diagonal of the avatar's box, metres.
     fn radius(&self) -> f64 {
-        (0.5 * self.bounds[0].distance(self.bounds[1])).max(Camera::NEAR)
+        let [min, max] = self.framing.bounds;
+        (0.5 * min.distance(max)).max(self.framing.near)
     }
 
     /// Moves the anchor, metres. The view moves with it at once, without a glide.
@@ -158,12 +162,15 @@ impl Orbit {
         let on_target_plane = |px: DVec2| (right * px.x + down * px.y) * metres_per_px;
         let radius = self.radius();
         let furthest = (DISTANCE_MAX * radius).max(self.goal.distance);
-        let distance = (self.goal.distance * (-gesture.zoom).exp())
-            .clamp((DISTANCE_MIN * radius).max(2.0 * Camera::NEAR), furthest);
+        let distance = (self.goal.distance * (-gesture.zoom).exp()).clamp(
+            (DISTANCE_MIN * radius).max(2.0 * self.framing.near),
+            furthest,
+        );
         let about = gesture.about.map_or(DVec2::ZERO, |at| at - 0.5 * size);
         let target = self.goal.target - on_target_plane(gesture.pan)
             + on_target_plane(about) * (1.0 - distance / self.goal.distance);
-        self.goal.target = target.clamp(self.bounds[0] - radius, self.bounds[1] + radius);
+        let [min, max] = self.framing.bounds;
+        self.goal.target = target.clamp(min - radius, max + radius);
         self.goal.distance = distance;
     }
 
@@ -195,7 +202,10 @@ impl Orbit {
             pitch,
             distance,
         } = self.shown;
-        Camera::orbit(self.anchor + target, yaw, pitch, distance, FOV, size)
+        Camera {
+            near: self.framing.near,
+            ..Camera::orbit(self.anchor + target, yaw, pitch, distance, FOV, size)
+        }
     }
 }
 
@@ -435,6 +445,36 @@ mod tests {
                 .distance(before + DVec3::new(-1.0, 0.0, 0.0))
                 < 1e-12
         );
+    }
+
+    #[test]
+    fn views_of_a_scene_are_alike_in_every_unit() {
+        let size = [800, 600];
+        let after = |scale: f64, zoom: f64| {
+            let framing = Framing::scene(BOX.map(|corner| scale * corner));
+            let mut orbit = Orbit::new(framing, DVec3::ZERO, size);
+            for _ in 0..3 {
+                orbit.apply(
+                    &Gesture {
+                        zoom,
+                        pan: DVec2::splat(900.0),
+                        ..Gesture::default()
+                    },
+                    size,
+                );
+            }
+            at_rest(orbit).camera(size)
+        };
+        for zoom in [0.0, 0.3, 100.0, -100.0] {
+            let one = after(1.0, zoom);
+            assert!(one.near <= Camera::NEAR);
+            for scale in [1e-3, 0.01, 0.1, 100.0] {
+                let other = after(scale, zoom);
+                let off = (other.eye() / scale).distance(one.eye());
+                assert!(off < 1e-6, "{scale}: {off}");
+                assert!((other.near - (scale * one.near).min(Camera::NEAR)).abs() < 1e-9);
+            }
+        }
     }
 
     #[test]

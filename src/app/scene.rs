@@ -9,7 +9,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
-    scene::{AvatarBounds, Camera, Posed, upright},
+    scene::{AvatarBounds, Camera, Posed},
 };
 use glam::DVec3;
 use std::sync::Arc;
@@ -77,7 +77,7 @@ impl ViewerScene {
         let posed = pose(&avatar, &players, position);
         let avatar_bounds = AvatarBounds::new(&avatar);
         let orbit = Orbit::new(
-            upright(avatar_bounds.bounds(&posed.joints)),
+            avatar_bounds.framing(&posed.joints),
             anchor(&avatar, &posed),
             size,
         );
@@ -227,7 +227,7 @@ impl ViewerScene {
                 self.orbit
                     .glide_to_anchor(anchor(&self.avatar, &self.posed));
                 self.orbit
-                    .reset(upright(self.avatar_bounds.bounds(&self.posed.joints)), size);
+                    .reset(self.avatar_bounds.framing(&self.posed.joints), size);
             }
             Action::Follow(follow) => {
                 self.follow = follow;

@@ -7,7 +7,7 @@ use crate::{
 };
 use anyhow::Context;
 use effigy::vulkan::{Gpu, Offscreen, Presentation, Recording, Renderer};
-use effigy_core::scene::{AvatarBounds, Posed, upright};
+use effigy_core::scene::{AvatarBounds, Posed};
 use effigy_runtime::capture::RenderDoc;
 use std::{ffi::CString, path::PathBuf};
 
@@ -57,8 +57,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let background = options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?;
     let mut draw = |seconds: f64| -> anyhow::Result<()> {
         let posed = Posed::new(&avatar, &player.pose(seconds));
-        let bounds = upright(avatar_bounds.bounds(&posed.joints));
-        let camera = args.camera.camera(bounds, args.size)?;
+        let framing = avatar_bounds.framing(&posed.joints);
+        let camera = args.camera.camera(framing, args.size)?;
         let mut record = |commands: Recording| screen.record(commands, args.size, background);
         // SAFETY: the frame is waited for below.
         let presentation = unsafe { Presentation::new(None, &mut record) };

@@ -4,7 +4,7 @@ use crate::{convert::posed_splats, files, options, source::Source};
 use effigy_core::{
     avatar::Avatar,
     io::{cameras, ply_export::to_ply, splats::Uniform},
-    scene::{AvatarBounds, Camera, Posed, upright},
+    scene::{AvatarBounds, Camera, Posed},
 };
 use effigy_measure::viewpoint::{FOV, PITCH, yaw_of_view};
 use std::path::PathBuf;
@@ -75,9 +75,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 /// `count` cameras around the avatar for images of `size` pixels, those of the benchmark.
 fn views(avatar: &Avatar, posed: &Posed, count: usize, size: [u32; 2]) -> Vec<Camera> {
-    let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
+    let framing = AvatarBounds::new(avatar).framing(&posed.joints);
     (0..count)
-        .map(|view| Camera::around(bounds, yaw_of_view(view, count), PITCH, FOV, size))
+        .map(|view| Camera::around(framing, yaw_of_view(view, count), PITCH, FOV, size))
         .collect()
 }
 

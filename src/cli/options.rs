@@ -16,7 +16,7 @@ use effigy_core::{
     frame::Skip,
     io::splats::Up,
     layout::PROJECT_WORKGROUPS,
-    scene::{Camera, Detail, Supersampling},
+    scene::{Camera, Detail, Framing, Supersampling},
 };
 use effigy_runtime::trace::Trace;
 use glam::DVec3;
@@ -75,9 +75,8 @@ pub struct CameraArgs {
 }
 
 impl CameraArgs {
-    /// The camera that looks at the box around an avatar, `bounds` in metres, for an image of
-    /// `size` pixels.
-    pub fn camera(&self, bounds: [DVec3; 2], size: [u32; 2]) -> anyhow::Result<Camera> {
+    /// The camera that looks at an avatar for an image of `size` pixels.
+    pub fn camera(&self, framing: Framing, size: [u32; 2]) -> anyhow::Result<Camera> {
         anyhow::ensure!(
             (1.0..=170.0).contains(&self.fov),
             "a field of view of {}° can't be drawn: give --fov from 1 to 170",
@@ -86,11 +85,14 @@ impl CameraArgs {
         let fov = self.fov.to_radians();
         let distance = self
             .distance
-            .unwrap_or_else(|| Camera::framing_distance(bounds, fov, size));
-        let target = (bounds[0] + bounds[1]) / 2.0 + self.raise * DVec3::Y;
+            .unwrap_or_else(|| Camera::framing_distance(framing.bounds, fov, size));
+        let target = framing.middle() + self.raise * DVec3::Y;
         let yaw = self.yaw.to_radians();
         let pitch = self.pitch.clamp(-89.0, 89.0).to_radians();
-        let camera = Camera::orbit(target, yaw, pitch, distance, fov, size);
+        let camera = Camera {
+            near: framing.near,
+            ..Camera::orbit(target, yaw, pitch, distance, fov, size)
+        };
         camera.check().context(
             "no camera has this view: give finite --yaw, --pitch, --distance and --raise",
         )?;

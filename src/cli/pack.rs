@@ -107,6 +107,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         "`{}` has splats, which stand still: --held-out is for avatars that move",
         avatar.name
     );
+    ensure!(
+        !args.levels || !avatar.is_static() || avatar.nodes.len() == 1,
+        "levels of detail need splats near enough to each other for one box of 16-bit positions; those of `{}` are in {}: leave out --levels",
+        avatar.name,
+        avatar.nodes.len()
+    );
     if args.levels {
         avatar.levels = make_levels(&args, &avatar, &player)?;
     }

@@ -15,7 +15,7 @@ use effigy_core::{
     avatar::{Avatar, Clip, motion::Player},
     io::cameras,
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
+    scene::{AvatarBounds, Camera, FrameImage, Framing, Posed},
 };
 use effigy_measure::{bench::Backend, in_rows};
 use effigy_runtime::slow_start::{self, SlowStart};
@@ -219,13 +219,11 @@ impl Shoot<'_> {
         let camera = match camera {
             Some(camera) => cameras::scaled(camera, self.args.size.unwrap_or(camera.size)),
             None => {
-                let boxes = poses
-                    .iter()
-                    .map(|posed| upright(self.bounds.bounds(&posed.joints)));
-                let all = boxes.reduce(|[low, high], [min, max]| [low.min(min), high.max(max)]);
+                let framed = poses.iter().map(|posed| self.bounds.framing(&posed.joints));
+                let all = framed.reduce(Framing::union).context("no copy to draw")?;
                 self.args
                     .camera
-                    .camera(all.unwrap_or_default(), self.args.size.unwrap_or(SIZE))?
+                    .camera(all, self.args.size.unwrap_or(SIZE))?
             }
         };
         let poses: Vec<&Posed> = poses.iter().collect();
@@ -334,8 +332,8 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
         let turn = number as f64 / IMAGES as f64;
         let seconds = turn * player.clip().duration().min(SECONDS);
         let posed = Posed::new(&avatar, &player.pose(seconds));
-        let bounds = upright(avatar_bounds.bounds(&posed.joints));
-        let camera = Camera::around(bounds, turn * TAU, 0.09, 35f64.to_radians(), size);
+        let framing = avatar_bounds.framing(&posed.joints);
+        let camera = Camera::around(framing, turn * TAU, 0.09, 35f64.to_radians(), size);
         renderer.draw(&posed, &camera, None)?;
         let out = folder.join(format!("{number:02}.png"));
         let image = renderer.read_image()?;

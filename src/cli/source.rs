@@ -6,7 +6,7 @@ use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
     io::{cameras, splats::Up, text},
-    scene::Camera,
+    scene::{AvatarBounds, Camera},
 };
 use effigy_formats::{
     open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
@@ -305,16 +305,17 @@ pub fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
 }
 
 /// Reads a `cameras.json` as 3DGS writes it beside a .ply, or mmlphuman beside its checkpoint, in the
-/// avatar's world.
+/// avatar's world. No such file says where near planes are: they are as near as the avatar's size
+/// asks for.
 pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
     let rest = Pose::rest(avatar.skeleton.len(), 0);
-    let world = avatar
-        .skeleton
-        .matrices(&rest)
-        .first()
-        .copied()
-        .unwrap_or_default();
-    Ok(cameras::read(path, world)?)
+    let joints = avatar.skeleton.matrices(&rest);
+    let mut cameras = cameras::read(path, joints.first().copied().unwrap_or_default())?;
+    let near = AvatarBounds::new(avatar).framing(&joints).near;
+    for camera in &mut cameras {
+        camera.near = near;
+    }
+    Ok(cameras)
 }
 
 /// The first three names of a list.

@@ -6,7 +6,7 @@ use effigy_core::{
     avatar::{Avatar, Clip, Filter, Pose, motion::Player},
     io::file::FileContent,
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
+    scene::{AvatarBounds, Camera, FrameImage, Framing, Posed},
 };
 use effigy_formats::{
     content::Content,
@@ -71,7 +71,7 @@ fn of_clip(avatar: &Avatar, clip: Clip) -> anyhow::Result<RgbaImage> {
     let middle = clip.duration() / 2.0;
     let pose = Player::new(clip, &avatar.skeleton).pose(middle);
     let posed = Posed::new(avatar, &pose);
-    let camera = camera(AvatarBounds::new(avatar).bounds(&posed.joints));
+    let camera = camera(AvatarBounds::new(avatar).framing(&posed.joints));
     over_background(&reference::render_scene(avatar, &[&posed], &camera))
 }
 
@@ -91,7 +91,7 @@ fn of_checkpoint(checkpoint: &Checkpoint) -> anyhow::Result<RgbaImage> {
         low = low.min(gaussian.mean);
         high = high.max(gaussian.mean);
     }
-    let camera = camera([low, high]);
+    let camera = camera(Framing::person([low, high]));
     let gaussians = teacher.posed(&look, pose, camera.eye());
     over_background(&reference::render_gaussians(
         &gaussians,
@@ -100,10 +100,10 @@ fn of_checkpoint(checkpoint: &Checkpoint) -> anyhow::Result<RgbaImage> {
     ))
 }
 
-/// A camera that has a box in its picture.
-fn camera(bounds: [DVec3; 2]) -> Camera {
+/// The camera of a picture.
+fn camera(framing: Framing) -> Camera {
     let [yaw, pitch, fov] = [YAW, PITCH, FOV].map(f64::to_radians);
-    Camera::around(upright(bounds), yaw, pitch, fov, SIZE)
+    Camera::around(framing, yaw, pitch, fov, SIZE)
 }
 
 fn over_background(image: &FrameImage) -> anyhow::Result<RgbaImage> {

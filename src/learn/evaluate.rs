@@ -5,7 +5,7 @@
 use crate::dataset::{Dataset, Shot};
 use effigy_core::avatar::{Avatar, Inputs, Rows};
 use effigy_core::reference::{self, project};
-use effigy_core::scene::{AvatarBounds, Camera, FrameImage, Posed, upright};
+use effigy_core::scene::{AvatarBounds, Camera, FrameImage, Posed};
 use effigy_measure::similarity::{Similarity, similarity};
 use glam::{DMat3, DVec3};
 use half::f16;
@@ -107,7 +107,7 @@ pub fn camera_at_pitch(
     size: [u32; 2],
 ) -> Camera {
     Camera::around(
-        upright(bounds.bounds(&posed.joints)),
+        bounds.framing(&posed.joints),
         yaw.to_radians(),
         pitch,
         35f64.to_radians(),

@@ -38,7 +38,6 @@ pub mod stress;
 pub mod verdict;
 pub mod viewpoint;
 
-pub use effigy_core::scene::upright;
 use glam::{DAffine3, DVec3};
 use std::{sync::OnceLock, time::Duration};
 

@@ -20,7 +20,7 @@ use effigy_core::{
     },
     layout::{pack::ModelSizes, sh},
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
+    scene::{AvatarBounds, Camera, FrameImage, Posed},
 };
 use serde::Serialize;
 
@@ -153,10 +153,10 @@ fn view(avatar: &Avatar, views: &Views, index: usize) -> ReferenceView {
     let share = (index as f64 + 0.5) / views.images as f64;
     let pose = views.player.pose(share * views.player.clip().duration());
     let posed = Posed::new(avatar, &pose);
-    let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
+    let framing = AvatarBounds::new(avatar).framing(&posed.joints);
     // Consecutive views are from sides that are far apart.
     let yaw = viewpoint::yaw(0.618 * index as f64);
-    let camera = Camera::around(bounds, yaw, PITCH, FOV, views.size);
+    let camera = Camera::around(framing, yaw, PITCH, FOV, views.size);
     ReferenceView {
         reference: reference::render(avatar, &posed, &camera),
         pose,

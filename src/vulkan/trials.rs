@@ -17,7 +17,7 @@ use super::{
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::RendererOptions,
-    scene::{AvatarBounds, Camera, Posed, upright},
+    scene::{AvatarBounds, Camera, Posed},
 };
 use std::{f64::consts::TAU, sync::Arc, time::Instant};
 
@@ -59,11 +59,11 @@ impl TrialScene {
         (0..SIDES)
             .zip(poses)
             .map(|(side, posed)| {
-                let corners = upright(bounds.bounds(&posed.joints));
+                let framing = bounds.framing(&posed.joints);
                 let yaw = TAU * side as f64 / SIDES as f64;
                 Self {
                     poses: vec![posed.clone()],
-                    camera: Camera::around(corners, yaw, 0.1, FOV, size),
+                    camera: Camera::around(framing, yaw, 0.1, FOV, size),
                 }
             })
             .collect()

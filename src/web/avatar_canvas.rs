@@ -324,15 +324,18 @@ impl AvatarCanvas {
             fov,
             background,
         } = self.viewpoint;
-        let camera = Camera::orbit(
-            target,
-            yaw,
-            pitch.clamp(-PITCH_MAX, PITCH_MAX),
-            distance,
-            fov,
-            self.size,
-        );
         let posed = Posed::with_projection(avatar, &motion.pose(now), self.project);
+        let camera = Camera {
+            near: renderer.bounds().framing(&posed.joints).near,
+            ..Camera::orbit(
+                target,
+                yaw,
+                pitch.clamp(-PITCH_MAX, PITCH_MAX),
+                distance,
+                fov,
+                self.size,
+            )
+        };
         self.stale |= renderer.draw(&posed, &camera).map_err(js_error)?;
         if !self.stale {
             return Ok(Drawn::Nothing);
@@ -493,7 +496,7 @@ impl AvatarCanvas {
             return "{}".into();
         };
         let joints = Posed::new(avatar, &motion.pose(0.0)).joints;
-        let [min, max] = effigy_core::scene::upright(renderer.bounds().bounds(&joints));
+        let [min, max] = renderer.bounds().framing(&joints).bounds;
         let rows = [
             avatar.rotation_rows.gaussian.len(),
             avatar.scale_rows.gaussian.len(),

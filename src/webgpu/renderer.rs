@@ -131,7 +131,7 @@ impl Renderer {
         let inputs = raster_inputs(&project, &sort, &control);
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;
         let mlp = Mlp::new(gpu, &model, &blocks, &pose);
-        let sh = SphericalHarmonics::new(gpu, avatar, &levels, &model, &blocks)?;
+        let sh = SphericalHarmonics::new(gpu, avatar, &levels, &model, &blocks, &pose)?;
         let mut settings = SettingsBlock::default();
         sort.fill(&mut settings);
         raster.fill(&mut settings, &options, project.capacity());
@@ -213,7 +213,14 @@ impl Renderer {
         self.make_room(&levels)?;
         self.model.fill_levels(&self.gpu, avatar, &levels);
         if let Some(sh) = &mut self.sh {
-            sh.replace(&self.gpu, avatar, &levels, &self.model, &self.blocks)?;
+            sh.replace(
+                &self.gpu,
+                avatar,
+                &levels,
+                &self.model,
+                &self.blocks,
+                &self.pose,
+            )?;
         }
         self.show_anew(avatar, bounds);
         self.gpu.check()?;
@@ -268,7 +275,14 @@ impl Renderer {
         self.model.fill(&self.gpu, avatar);
         self.model.fill_levels(&self.gpu, avatar, &levels);
         if let Some(sh) = &mut self.sh {
-            sh.replace(&self.gpu, avatar, &levels, &self.model, &self.blocks)?;
+            sh.replace(
+                &self.gpu,
+                avatar,
+                &levels,
+                &self.model,
+                &self.blocks,
+                &self.pose,
+            )?;
         }
         self.show_anew(avatar, bounds);
         self.gpu.check()?;

@@ -32,13 +32,15 @@ struct Coefficients {
 }
 
 impl SphericalHarmonics {
-    /// Writes to the colours in `model`. None for an avatar without harmonics.
+    /// Writes to the colours in `model`, reads the nodes in `pose`. None for an avatar without
+    /// harmonics.
     pub fn new(
         gpu: &Gpu,
         avatar: &Avatar,
         levels: &[Avatar],
         model: &Model,
         blocks: &Blocks,
+        pose: &wgpu::Buffer,
     ) -> Result<Option<Self>> {
         let Some(harmonics) = &avatar.sh else {
             return Ok(None);
@@ -50,13 +52,13 @@ impl SphericalHarmonics {
             2 => &wgsl::SH_2,
             _ => &wgsl::SH_3,
         };
-        let bound = coefficients.bindings(0, degree, model, blocks);
+        let bound = coefficients.bindings(0, degree, model, blocks, pose);
         let mut new = Self {
             kernel: Kernel::new(gpu, module, &bound),
             degree,
             coefficients,
         };
-        new.bind(gpu, model, blocks);
+        new.bind(gpu, model, blocks, pose);
         Ok(Some(new))
     }
 
@@ -69,15 +71,18 @@ impl SphericalHarmonics {
         levels: &[Avatar],
         model: &Model,
         blocks: &Blocks,
+        pose: &wgpu::Buffer,
     ) -> Result<()> {
         self.coefficients = Coefficients::new(gpu, self.degree, avatar, levels)?;
-        self.bind(gpu, model, blocks);
+        self.bind(gpu, model, blocks, pose);
         Ok(())
     }
 
-    fn bind(&mut self, gpu: &Gpu, model: &Model, blocks: &Blocks) {
+    fn bind(&mut self, gpu: &Gpu, model: &Model, blocks: &Blocks, pose: &wgpu::Buffer) {
         for set in 0..model.sets() {
-            let bound = self.coefficients.bindings(set, self.degree, model, blocks);
+            let bound = self
+                .coefficients
+                .bindings(set, self.degree, model, blocks, pose);
             self.kernel.set(gpu, set, &bound);
         }
     }
@@ -92,8 +97,8 @@ impl SphericalHarmonics {
         avatar.sh.as_ref().map(|sh| sh.degree)
     }
 
-    /// Reads the frame's joints and the model, writes the model's colours of the Gaussians that are
-    /// drawn. `model`: which of the avatar's levels; 0 is the avatar itself.
+    /// Reads the frame's joints, the nodes and the model, writes the model's colours of the Gaussians
+    /// that are drawn. `model`: which of the avatar's levels; 0 is the avatar itself.
     pub fn record(&self, pass: &mut wgpu::ComputePass, block: u32, model: usize, gaussians: u32) {
         let groups = [gaussians.div_ceil(SH_WORKGROUP), 1];
         self.kernel.dispatch_turn(pass, model, block, groups);
@@ -133,11 +138,13 @@ impl Coefficients {
         degree: usize,
         model: &'a Model,
         blocks: &'a Blocks,
+        pose: &'a wgpu::Buffer,
     ) -> Vec<(u32, Bound<'a>)> {
         let mut bound = vec![
             blocks.frame(),
             (1, Bound::Write(model.gaussians.set(set))),
             (2, Bound::Read(self.low.set(set))),
+            (4, Bound::Read(pose.into())),
         ];
         if degree > 1 {
             bound.push((3, Bound::Read(self.high.set(set))));

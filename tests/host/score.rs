@@ -7,7 +7,7 @@ use effigy_capture::{
 use effigy_core::{
     avatar::{Avatar, Pose},
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
+    scene::{AvatarBounds, Camera, FrameImage, Posed},
 };
 use effigy_learn::score::{
     Candidate, Ground, Region, Report, Scorer, View, ViewChoice, ViewScore, choose,
@@ -93,10 +93,10 @@ fn write(folder: &Path, avatar: &Avatar) -> Capture {
     let template = template(avatar);
     let poses = poses(avatar);
     let posed = Posed::new(avatar, &poses[0]);
-    let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
+    let framing = AvatarBounds::new(avatar).framing(&posed.joints);
     let cameras = [0.2, 1.0].map(|yaw| CaptureCamera {
         name: format!("cam{:02}", (10.0 * yaw) as u32),
-        camera: Camera::around(bounds, yaw, 0.1, 0.6, SIZE),
+        camera: Camera::around(framing, yaw, 0.1, 0.6, SIZE),
         distortion: [0.0; 5],
         held: yaw > 0.5,
     });

@@ -106,7 +106,7 @@ impl AvatarSummary {
                 .map(|space| space.sigma.len()),
             joints: (0..skeleton.len()).map(joint).collect(),
             position: [0, 1, 2]
-                .map(|k| Distribution::new((0..gaussians.len()).map(|i| avatar.position(i)[k]))),
+                .map(|k| Distribution::new((0..gaussians.len()).map(|i| avatar.placed(i)[k]))),
             position_step: gaussians.bounds.step().to_array(),
             scale: Distribution::new(
                 gaussians
@@ -183,6 +183,38 @@ impl AvatarSummary {
     }
 }
 
+/// What lengths are told in, so that a few digits say something of a scene of any size.
+struct Unit {
+    name: &'static str,
+    thousandth: &'static str,
+    in_a_metre: f64,
+}
+
+impl Unit {
+    /// For numbers as large as a length, metres.
+    fn of(length: f64) -> Self {
+        if length == 0.0 || length >= 0.1 {
+            Self {
+                name: "m",
+                thousandth: "mm",
+                in_a_metre: 1.0,
+            }
+        } else if length >= 1e-4 {
+            Self {
+                name: "mm",
+                thousandth: "µm",
+                in_a_metre: 1e3,
+            }
+        } else {
+            Self {
+                name: "µm",
+                thousandth: "nm",
+                in_a_metre: 1e6,
+            }
+        }
+    }
+}
+
 /// Joints in a row, without a branch between them.
 struct Chain {
     /// Branches between the root and the chain.
@@ -236,27 +268,34 @@ impl fmt::Display for AvatarSummary {
         )?;
         for (name, axis) in ["x", "y", "z"].iter().zip(&self.position) {
             let Distribution { min, median, max } = axis;
+            let unit = Unit::of(max - min);
+            let [min, median, max] = [min, median, max].map(|metres| metres * unit.in_a_metre);
             line(
                 f,
                 name,
-                format_args!("{min:.3} to {max:.3} m, median {median:.3}"),
+                format_args!("{min:.3} to {max:.3} {}, median {median:.3}", unit.name),
             )?;
         }
-        let [x, y, z] = self.position_step.map(|step| 1e3 * step);
+        let coarsest = self.position_step.into_iter().fold(0.0, f64::max);
+        let unit = Unit::of(1e5 * coarsest);
+        let [x, y, z] = self.position_step.map(|step| 1e3 * step * unit.in_a_metre);
         line(
             f,
             "step",
-            format_args!("{x:.4} × {y:.4} × {z:.4} mm between neighbouring positions"),
+            format_args!(
+                "{x:.4} × {y:.4} × {z:.4} {} between neighbouring positions",
+                unit.thousandth
+            ),
         )?;
         let Distribution { min, median, max } = &self.scale;
+        let unit = Unit::of(1e3 * median);
+        let [min, median, max] = [min, median, max].map(|metres| 1e3 * metres * unit.in_a_metre);
         line(
             f,
             "deviation",
             format_args!(
-                "{:.2} to {:.2} mm, median {:.2}",
-                min * 1e3,
-                max * 1e3,
-                median * 1e3
+                "{min:.2} to {max:.2} {}, median {median:.2}",
+                unit.thousandth
             ),
         )?;
         let [red, green, blue] = &self.color;

@@ -338,6 +338,23 @@ impl Avatar {
             .decode(self.gaussians.position[gaussian])
     }
 
+    /// x of a Gaussian where no network moves its nodes: x₀ and their static displacements.
+    pub fn placed(&self, gaussian: usize) -> DVec3 {
+        let nodes = self.gaussians.node[gaussian];
+        let offset = |node: u16| DVec3::from(self.nodes.offset[usize::from(node)].map(f64::from));
+        let moved = if nodes == [nodes[0]; 3] {
+            offset(nodes[0])
+        } else {
+            let weights = self.node_weights(gaussian);
+            nodes
+                .iter()
+                .zip(weights)
+                .map(|(&node, weight)| weight * offset(node))
+                .sum()
+        };
+        self.position(gaussian) + moved
+    }
+
     /// x_s of a node: canonical pose, metres.
     pub fn node_position(&self, node: usize) -> DVec3 {
         self.gaussians.bounds.decode(self.nodes.position[node])

@@ -292,7 +292,7 @@ impl Pass {
                 write(Splats, Stages::TRANSFER),
             ],
             Self::Mlp { .. } => vec![write(Pose, Stages::COMPUTE)],
-            Self::Sh { .. } => vec![write(Colors, Stages::COMPUTE)],
+            Self::Sh { .. } => vec![read(Pose, Stages::COMPUTE), write(Colors, Stages::COMPUTE)],
             Self::Project { skinning, .. } => {
                 let cache = match skinning {
                     Skinning::Compute => None,

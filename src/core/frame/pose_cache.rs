@@ -11,7 +11,8 @@ use glam::{DAffine3, DVec3, Vec4};
 pub struct PoseCache {
     /// World to the camera that filled the cache.
     pub view: DAffine3,
-    /// Lower and upper corner of a box around the posed avatar, in that camera's space, metres.
+    /// Lower and upper corner of a box around the posed avatar, or around most of a scene, in that
+    /// camera's space, metres.
     pub bounds: [DVec3; 2],
     /// Length that stored lengths are relative to.
     pub unit: f64,
@@ -39,7 +40,7 @@ impl PoseCache {
         let unit = enlargement(&joints);
         Self {
             view: camera.view,
-            bounds: bounds.bounds(&joints),
+            bounds: bounds.dense(&joints),
             unit: if unit > 0.0 { unit } else { 1.0 },
         }
     }

@@ -468,7 +468,7 @@ mod tests {
     use crate::{
         avatar::{Avatar, Pose},
         frame::{FrameState, PlanInput, RendererOptions, passes::Use, room::Room},
-        scene::{AvatarBounds, Camera, PartDependencies, Posed, Supersampling, upright},
+        scene::{AvatarBounds, Camera, PartDependencies, Posed, Supersampling},
     };
     use glam::{DAffine3, DVec3};
 
@@ -509,8 +509,8 @@ mod tests {
 
         fn camera(&self, yaw: f64) -> Camera {
             let joints = self.posed(0.0, 0.0).joints;
-            let [low, high] = upright(self.bounds.bounds(&joints));
-            Camera::orbit((low + high) / 2.0, yaw, 0.0, 3.0, 0.6, self.options.size)
+            let middle = self.bounds.framing(&joints).middle();
+            Camera::orbit(middle, yaw, 0.0, 3.0, 0.6, self.options.size)
         }
 
         fn frame(&mut self, poses: &[Posed], yaw: f64, equipment: &Equipment) -> Schedule {

@@ -12,10 +12,14 @@ use rayon::prelude::*;
 /// RGB of every Gaussian as the camera sees it, at least 0, before correctives; length N_g. None
 /// for an avatar without spherical harmonics.
 ///
-/// The direction leads from the camera to the Gaussian's neutral position, moved by its joints but
-/// not by nodes. The transpose of the blended joint matrix rotates it back to canonical space: that
+/// The direction leads from the camera to the Gaussian's `mean` in the posed world. The transpose of the blended joint matrix rotates it back to canonical space: that
 /// is the inverse where one joint moves the Gaussian, and close to it elsewhere.
-pub fn colors(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Option<Vec<DVec3>> {
+pub fn colors(
+    avatar: &Avatar,
+    posed: &Posed,
+    camera: &Camera,
+    mean: impl Fn(usize) -> DVec3 + Sync,
+) -> Option<Vec<DVec3>> {
     let sh = avatar.sh.as_ref()?;
     let eye = camera.eye();
     let color = |k: usize| {
@@ -24,7 +28,7 @@ pub fn colors(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Option<Vec<DVe
             avatar.gaussians.joint[k],
             avatar.gaussians.joint_weight[k],
         );
-        let direction = g.transform_point3(avatar.position(k)) - eye;
+        let direction = mean(k) - eye;
         sum(
             sh,
             k,
@@ -60,7 +64,7 @@ pub fn apply_colors(
     features: &[f64],
     gaussians: &mut [Gaussian],
 ) {
-    let Some(colors) = colors(avatar, posed, camera) else {
+    let Some(colors) = colors(avatar, posed, camera, |k| gaussians[k].mean) else {
         return;
     };
     gaussians

@@ -2,8 +2,8 @@
 //! frame instead of a point a Gaussian.
 
 use super::{
-    AxisBox, BoxMover, Camera, LevelChoice, PartSet, PixelRect, PlaneBox, PlaneRect, detail,
-    radius_in_sigmas,
+    AxisBox, BoxMover, Camera, Framing, LevelChoice, PartSet, PixelRect, PlaneBox, PlaneRect,
+    SceneBoxes, detail, radius_in_sigmas,
 };
 use crate::avatar::{Avatar, Filter};
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
@@ -35,8 +35,11 @@ struct PartBox {
     /// Largest radius of its Gaussians around their centres, metres: where an opaque one fades
     /// below visibility, enlarged for correctives and levels of detail.
     radius: f64,
-    /// Longest static displacement of the part's nodes, metres.
+    /// Longest static displacement of the part's nodes, metres; 0 where the box is around what
+    /// they displace.
     displacement: f64,
+    /// 1 where networks move the part, 0 where nothing does and no margin is needed for them.
+    corrected: f64,
     /// Every joint that moves one of its Gaussians; those of at least [`MIN_WEIGHT`] first.
     joints: Vec<u8>,
     /// How many of `joints` have at least [`MIN_WEIGHT`].
@@ -97,6 +100,8 @@ pub struct AvatarBounds {
     joints: Vec<JointBox>,
     /// What the longest margin of a part is, metres before skinning.
     margin: f64,
+    /// Where it is if nothing moves inside it.
+    scene: Option<SceneBoxes>,
     pose_shape: PoseShape,
     gaussians: usize,
     /// The low-pass that it is drawn with.
@@ -118,6 +123,10 @@ impl AvatarBounds {
         Self {
             joints: JointBox::of(&parts),
             margin: parts.iter().map(PartBox::margin).fold(0.0, f64::max),
+            scene: avatar.is_static().then(|| {
+                let spaces = parts.iter().map(|part| part.space);
+                SceneBoxes::new(avatar, spaces.fold(AxisBox::EMPTY, AxisBox::union))
+            }),
             parts,
             pose_shape: PoseShape {
                 joints: avatar.skeleton.len(),
@@ -208,7 +217,15 @@ impl AvatarBounds {
             },
             around: around.pixels(),
             sides: (body.min.z >= camera.near).then(|| (bare.max - bare.min).max(DVec2::ZERO)),
-            depth: depth_range(&body, margin, camera),
+            depth: match &self.scene {
+                Some(scene) => {
+                    let dense = movers[0].around(&scene.dense);
+                    let [near, far] = depth_range(&dense, 0.0, camera);
+                    // What lies beyond keeps its order where little of it is before the camera.
+                    [near, far.max(near + 0.1 * dense.min.distance(dense.max))]
+                }
+                None => depth_range(&body, margin, camera),
+            },
         }
     }
 
@@ -278,7 +295,33 @@ impl AvatarBounds {
         self.parts
             .iter()
             .find(|own| own.part == part)
-            .is_some_and(|own| displaced <= own.displacement + MARGIN && radius <= own.radius)
+            .is_some_and(|own| {
+                let near = self.scene.is_some() || displaced <= own.displacement + MARGIN;
+                near && radius <= own.radius
+            })
+    }
+
+    /// What a camera that has the posed avatar in its image is made from. A person has one scale in
+    /// every pose; splats are framed by what they show, in whatever unit they are.
+    pub fn framing(&self, joints: &[DAffine3]) -> Framing {
+        match &self.scene {
+            Some(scene) => {
+                let shown = BoxMover::new(joints[0]).around(&scene.shown);
+                Framing::scene([shown.min, shown.max])
+            }
+            None => Framing::person(self.bounds(joints)),
+        }
+    }
+
+    /// [`Self::bounds`], of splats without a few far ones: for numbers that are exact inside.
+    pub fn dense(&self, joints: &[DAffine3]) -> [DVec3; 2] {
+        match &self.scene {
+            Some(scene) => {
+                let dense = BoxMover::new(joints[0]).around(&scene.dense);
+                [dense.min, dense.max]
+            }
+            None => self.bounds(joints),
+        }
     }
 
     /// Lower and upper corner of a box around the posed avatar, in the space that the joint
@@ -290,7 +333,10 @@ impl AvatarBounds {
             .iter()
             .map(|part| part.around(part.major(), &movers))
             .fold(AxisBox::EMPTY, AxisBox::union);
-        let margin = margin(joints);
+        let margin = match self.scene {
+            Some(_) => 0.0,
+            None => margin(joints),
+        };
         if body.min.cmple(body.max).all() {
             [body.min - margin, body.max + margin]
         } else {
@@ -329,12 +375,12 @@ impl JointBox {
 impl PartBox {
     /// What visibility allows for around the box, metres before skinning.
     fn margin(&self) -> f64 {
-        MARGIN + self.displacement + self.radius
+        self.corrected * MARGIN + self.displacement + self.radius
     }
 
     /// What [`Visible::rect`] allows for around the box, metres before skinning; never less.
     fn wide_margin(&self) -> f64 {
-        RECT_MARGIN + self.displacement + 2.0 * self.radius
+        self.corrected * RECT_MARGIN + self.displacement + 2.0 * self.radius
     }
 
     fn new(avatar: &Avatar, part: usize, range: Range<usize>) -> Self {
@@ -351,14 +397,19 @@ impl PartBox {
             * longest_axis
             * radius_in_sigmas(255.0).unwrap_or_default();
 
+        let is_static = avatar.is_static();
         let mut space = AxisBox::EMPTY;
         let mut displacement = 0.0f64;
         let mut weight = [0u8; 256];
         for gaussian in range {
-            space.add(avatar.position(gaussian));
-            for &node in &gaussians.node[gaussian] {
-                let offset = avatar.nodes.offset[usize::from(node)].map(f64::from);
-                displacement = displacement.max(DVec3::from(offset).length());
+            if is_static {
+                space.add(avatar.placed(gaussian));
+            } else {
+                space.add(avatar.position(gaussian));
+                for &node in &gaussians.node[gaussian] {
+                    let offset = avatar.nodes.offset[usize::from(node)].map(f64::from);
+                    displacement = displacement.max(DVec3::from(offset).length());
+                }
             }
             let weights = gaussians.joint_weight[gaussian];
             for (&joint, w) in gaussians.joint[gaussian].iter().zip(weights) {
@@ -377,6 +428,7 @@ impl PartBox {
             space,
             radius,
             displacement,
+            corrected: if is_static { 0.0 } else { 1.0 },
             joints,
             major_joints,
         }
@@ -508,15 +560,6 @@ fn depth_range(body: &AxisBox, margin: f64, camera: &Camera) -> [f64; 2] {
 /// How far a Gaussian without extent reaches in the image, px.
 fn reach_of(filter: Filter) -> f64 {
     FILTER_REACH * (filter.variance / Filter::DEFAULT.variance).sqrt().max(1.0)
-}
-
-/// Widens a box to at least the size of a standing person, so that images of one clip have one
-/// scale, whatever the pose.
-pub fn upright(bounds: [DVec3; 2]) -> [DVec3; 2] {
-    let [min, max] = bounds;
-    let middle = (min + max) / 2.0;
-    let half = ((max - min) / 2.0).max(DVec3::new(0.4, 0.92, 0.4));
-    [middle - half, middle + half]
 }
 
 /// How much the joints enlarge lengths, at most.
@@ -651,6 +694,7 @@ mod tests {
                 },
                 radius: random.range(0.0, 0.05),
                 displacement: random.range(0.0, 0.02),
+                corrected: 1.0,
                 major_joints: joints.len().min(3),
                 joints,
             }
@@ -659,6 +703,7 @@ mod tests {
         AvatarBounds {
             joints: JointBox::of(&parts),
             margin: parts.iter().map(PartBox::margin).fold(0.0, f64::max),
+            scene: None,
             parts,
             pose_shape: PoseShape {
                 joints,

@@ -1,7 +1,7 @@
 //! The pinhole camera. World coordinates have y up; camera coordinates have x right, y down and z
 //! forward, the convention of images and 3DGS.
 
-use super::PixelRect;
+use super::{Framing, PixelRect};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 /// A pinhole camera and the size of its image.
@@ -70,17 +70,22 @@ impl Camera {
         1.05 * (half.y / slope).max(around / (slope * aspect)) + around
     }
 
-    /// Looks at the middle of a box from [`Self::framing_distance`]. Angles are those of
+    /// Looks at the middle of a box from [`Self::framing_distance`]. `framing`: a box, or what
+    /// [`AvatarBounds::framing`](super::AvatarBounds::framing) gives. Angles are those of
     /// [`Self::orbit`].
-    pub fn around(bounds: [DVec3; 2], yaw: f64, pitch: f64, fov: f64, size: [u32; 2]) -> Self {
-        Self::orbit(
-            (bounds[0] + bounds[1]) / 2.0,
-            yaw,
-            pitch,
-            Self::framing_distance(bounds, fov, size),
-            fov,
-            size,
-        )
+    pub fn around(
+        framing: impl Into<Framing>,
+        yaw: f64,
+        pitch: f64,
+        fov: f64,
+        size: [u32; 2],
+    ) -> Self {
+        let framing = framing.into();
+        let distance = Self::framing_distance(framing.bounds, fov, size);
+        Self {
+            near: framing.near,
+            ..Self::orbit(framing.middle(), yaw, pitch, distance, fov, size)
+        }
     }
 
     /// Stretches the view to an image of another size.

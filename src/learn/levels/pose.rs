@@ -38,13 +38,16 @@ pub fn shapes(avatar: &Avatar) -> Vec<Shape> {
 pub fn placed(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Vec<Placed> {
     let features = mlp::features(avatar, &posed.input);
     let nodes = nodes::nodes(avatar, &features);
-    let lit = sh::colors(avatar, posed, camera);
     let gaussians = &avatar.gaussians;
+    let skinning =
+        |k: usize| project::skinning(&posed.joints, gaussians.joint[k], gaussians.joint_weight[k]);
+    let mean = |k: usize| {
+        let displacement = displacement(avatar.node_weights(k), gaussians.node[k], &nodes);
+        skinning(k).transform_point3(avatar.position(k) + displacement)
+    };
+    let lit = sh::colors(avatar, posed, camera, mean);
     let place = |k: usize| {
         let e = mlp::of_gaussian(avatar, &features, k);
-        let displacement = displacement(avatar.node_weights(k), gaussians.node[k], &nodes);
-        let skinning =
-            project::skinning(&posed.joints, gaussians.joint[k], gaussians.joint_weight[k]);
         let rotation = project::rotation(
             gaussians.rotation[k].map(f64::from),
             corrective(&avatar.rotation_rows, k, e),
@@ -53,10 +56,8 @@ pub fn placed(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Vec<Placed> {
         let color = DVec3::from(corrective(&avatar.color_rows, k, e))
             + lit.as_ref().map_or(DVec3::ZERO, |lit| lit[k] - neutral);
         Placed {
-            mean: skinning
-                .transform_point3(avatar.position(k) + displacement)
-                .as_vec3(),
-            axes: (skinning.matrix3 * DMat3::from_quat(rotation)).as_mat3(),
+            mean: mean(k).as_vec3(),
+            axes: (skinning(k).matrix3 * DMat3::from_quat(rotation)).as_mat3(),
             log_scale: DVec3::from(corrective(&avatar.scale_rows, k, e)).as_vec3(),
             color: color.as_vec3(),
         }

@@ -61,7 +61,7 @@ pub fn height(avatar: &Avatar) -> f64 {
     let bounds = AvatarBounds::new(avatar);
     let rest = Pose::rest(avatar.skeleton.len(), 0);
     let [min, max] = bounds.bounds(&avatar.skeleton.matrices(&rest));
-    (max.y - min.y).max(1e-3)
+    (max.y - min.y).max(1e-6)
 }
 
 /// Views of poses, `sides` of each, from directions that `seed` decides.
@@ -74,7 +74,10 @@ pub fn views(avatar: &Avatar, poses: &[Pose], sides: usize, seed: u64) -> Vec<Vi
         let yaw = TAU * (random.uniform() + (index % sides) as f64) / sides as f64;
         let pitch = random.range(PITCHES[0], PITCHES[1]);
         let corners = bounds.bounds(&posed.joints);
-        let camera = camera(corners, height, yaw, pitch);
+        let camera = Camera {
+            near: bounds.framing(&posed.joints).near,
+            ..camera(corners, height, yaw, pitch)
+        };
         View {
             pose: index / sides,
             posed,

@@ -13,7 +13,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Pose, motion::Player},
-    scene::{AvatarBounds, Camera, Posed, upright},
+    scene::{AvatarBounds, Camera, Framing, Posed},
 };
 use glam::DVec3;
 use std::{f64::consts::TAU, ops::Range};
@@ -192,14 +192,12 @@ fn camera(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: u
         BenchCase::Zoom => 0,
         _ => frame - frame % TAKE,
     };
-    let mut min = DVec3::INFINITY;
-    let mut max = DVec3::NEG_INFINITY;
-    for instance in framed_instances(case, frame) {
-        let joints = posed(case, inputs, framed, instance).joints;
-        let [instance_min, instance_max] = upright(bounds.bounds(&joints));
-        min = min.min(instance_min);
-        max = max.max(instance_max);
-    }
+    let own = |instance| bounds.framing(&posed(case, inputs, framed, instance).joints);
+    let framing = framed_instances(case, frame)
+        .map(own)
+        .reduce(Framing::union)
+        .unwrap_or_else(|| own(0));
+    let [min, max] = framing.bounds;
     let view = match case {
         BenchCase::Full => frame % inputs.views,
         BenchCase::Static | BenchCase::Expression | BenchCase::Zoom => 0,
@@ -221,7 +219,10 @@ fn camera(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: u
         };
     }
     let yaw = viewpoint::yaw_of_view(view, inputs.views) + orbit;
-    Camera::orbit((min + max) / 2.0, yaw, PITCH, distance, FOV, inputs.size)
+    Camera {
+        near: framing.near,
+        ..Camera::orbit(framing.middle(), yaw, PITCH, distance, FOV, inputs.size)
+    }
 }
 
 /// The instances that the camera frames. Of a few, every other take frames only the first, so that
@@ -326,7 +327,9 @@ mod tests {
     fn far_avatars_and_close_faces_have_their_distance() {
         with_demo(12, 1, |inputs| {
             let bounds = |scene: &BenchScene| {
-                upright(AvatarBounds::new(inputs.avatar).bounds(&scene.instances[0].drawn.joints))
+                AvatarBounds::new(inputs.avatar)
+                    .framing(&scene.instances[0].drawn.joints)
+                    .bounds
             };
             let middle = |scene: &BenchScene| bounds(scene).into_iter().sum::<DVec3>() / 2.0;
             let height_in = |case, inputs: &SceneInputs| {

@@ -22,9 +22,8 @@ use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::{RendererOptions, Skip, preset::Preset},
     io::cameras,
-    scene::{AvatarBounds, Camera, Posed, upright},
+    scene::{AvatarBounds, Camera, Framing, Posed},
 };
-use glam::DVec3;
 
 /// Longest side of the images, px. Small ones show the same faults in a fraction of the time.
 const SIDE: u32 = 1024;
@@ -67,7 +66,7 @@ impl<'a> SpreadInputs<'a> {
             for pose in 0..poses {
                 let seconds = clip.clip().duration() * pose as f64 / (poses.max(2) - 1) as f64;
                 let posed = Posed::new(self.avatar, &clip.pose(seconds));
-                let framed = upright(bounds.bounds(&posed.joints));
+                let framed = bounds.framing(&posed.joints);
                 let cameras = self.cameras_of(pose, framed, size);
                 views.extend(
                     cameras
@@ -103,18 +102,21 @@ impl<'a> SpreadInputs<'a> {
         }
     }
 
-    /// The cameras of a pose. `framed`: the avatar's bounds in it.
-    fn cameras_of(&self, pose: usize, framed: [DVec3; 2], size: [u32; 2]) -> Vec<Camera> {
+    /// The cameras of a pose. `framed`: the avatar in it.
+    fn cameras_of(&self, pose: usize, framed: Framing, size: [u32; 2]) -> Vec<Camera> {
         if !self.cameras.is_empty() {
             let scaled = |camera| cameras::scaled(camera, size);
             return self.cameras.iter().map(scaled).collect();
         }
-        let middle = (framed[0] + framed[1]) / 2.0;
+        let middle = framed.middle();
         let distance =
-            DISTANCES[pose % DISTANCES.len()] * Camera::framing_distance(framed, FOV, size);
+            DISTANCES[pose % DISTANCES.len()] * Camera::framing_distance(framed.bounds, FOV, size);
         let yaw = |view| yaw_of_view(view, self.views);
         (0..self.views)
-            .map(|view| Camera::orbit(middle, yaw(view), PITCH, distance, FOV, size))
+            .map(|view| Camera {
+                near: framed.near,
+                ..Camera::orbit(middle, yaw(view), PITCH, distance, FOV, size)
+            })
             .collect()
     }
 }
@@ -264,8 +266,7 @@ mod tests {
         let distance = |view: &SpreadView| {
             let eye = view.scene.camera.eye();
             let joints = &view.scene.instances[0].drawn.joints;
-            let [min, max] = upright(AvatarBounds::new(&avatar).bounds(joints));
-            (eye - (min + max) / 2.0).length()
+            (eye - AvatarBounds::new(&avatar).framing(joints).middle()).length()
         };
         assert!(distance(&views[4]) < 0.5 * distance(&views[0]));
         assert_ne!(views[0].scene.camera, views[1].scene.camera);

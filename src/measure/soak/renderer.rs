@@ -7,7 +7,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    scene::{AvatarBounds, Camera, Posed, upright},
+    scene::{AvatarBounds, Camera, Posed},
 };
 use effigy_runtime::governor::FrameQuality;
 use std::sync::Arc;
@@ -39,8 +39,8 @@ pub struct SoakRenderer<'a> {
 /// drawn before and after a soak to be compared.
 pub fn middle_frame(avatar: &Avatar, player: &Player, size: [u32; 2]) -> (Posed, Camera) {
     let posed = Posed::new(avatar, &player.pose(0.5 * player.clip().duration()));
-    let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
-    let camera = Camera::around(bounds, YAW, PITCH, FOV, size);
+    let framing = AvatarBounds::new(avatar).framing(&posed.joints);
+    let camera = Camera::around(framing, YAW, PITCH, FOV, size);
     (posed, camera)
 }
 

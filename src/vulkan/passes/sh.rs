@@ -26,13 +26,15 @@ pub struct SphericalHarmonics {
 }
 
 impl SphericalHarmonics {
-    /// Writes to the colours in `set`, the avatar's Gaussians. None for an avatar without harmonics.
+    /// Writes to the colours in `set`, the avatar's Gaussians, reads the nodes in `pose`. None for an
+    /// avatar without harmonics.
     /// `launch`: whether f16 is read as words.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
         set: &GaussianSet,
         frame: Slice,
+        pose: Slice,
         launch: Launch,
     ) -> Result<Option<Self>> {
         let Some(coefficients) = &avatar.sh else {
@@ -51,7 +53,7 @@ impl SphericalHarmonics {
         let high = buffer("high harmonics", SPLIT..groups.max(SPLIT))?;
         let resources = Resources {
             uniform: Some(frame),
-            storage: &[(&set.gaussians).into(), (&low).into(), (&high).into()],
+            storage: &[(&set.gaussians).into(), (&low).into(), (&high).into(), pose],
             image: None,
         };
         let degree = [coefficients.degree as u32];
@@ -62,7 +64,7 @@ impl SphericalHarmonics {
         }))
     }
 
-    /// Reads the frame's joints and the model, writes the model's colours of the first `drawn`
+    /// Reads the frame's joints, the nodes and the model, writes the model's colours of the first `drawn`
     /// Gaussians; compute.
     pub fn record(&self, commands: Recording, frame: u32, drawn: u32) {
         let groups = drawn.div_ceil(SH_WORKGROUP);

@@ -227,10 +227,19 @@ impl Renderer {
         if avatar.sh.is_some() {
             let levels = avatar.levels.iter().map(|level| avatar.at_level(level));
             for (level, set) in levels.zip(&model.sets[1..]) {
-                sh.extend(SphericalHarmonics::new(gpu, &level, set, frame, launch)?);
+                sh.extend(SphericalHarmonics::new(
+                    gpu,
+                    &level,
+                    set,
+                    frame,
+                    (&pose).into(),
+                    launch,
+                )?);
             }
         }
-        if let Some(own) = SphericalHarmonics::new(gpu, avatar, model.own(), frame, launch)? {
+        if let Some(own) =
+            SphericalHarmonics::new(gpu, avatar, model.own(), frame, (&pose).into(), launch)?
+        {
             sh.insert(0, own);
         }
         let renderer = Self {

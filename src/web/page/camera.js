@@ -10,6 +10,12 @@ export const DEFAULT_CAMERA = {
   fov: 0.61,
 };
 
+/** The box to show before an avatar is loaded, metres. */
+const DEFAULT_BOUNDS = [
+  [-0.5, 0, -0.5],
+  [0.5, 1.8, 0.5],
+];
+
 /** Copies a complete camera. Throws a RangeError for one that nothing can be drawn with. */
 export function checkedCamera({ target, yaw, pitch, distance, fov }) {
   if (target?.length !== 3) {
@@ -19,13 +25,18 @@ export function checkedCamera({ target, yaw, pitch, distance, fov }) {
     target: Array.from(target, (metres) => checkedNumber("the camera's target", metres, -1e9, 1e9)),
     yaw: checkedNumber("the camera's yaw", yaw, -1e9, 1e9),
     pitch: checkedNumber("the camera's pitch", pitch, -1e9, 1e9),
-    distance: checkedNumber("the camera's distance", distance, 1e-3, 1e9),
+    distance: checkedNumber("the camera's distance", distance, 1e-6, 1e9),
     fov: checkedNumber("the camera's field of view", fov, 1e-3, 3.1),
   };
 }
 
+/** Half the diagonal of a box, metres. */
+export function radius([min, max] = DEFAULT_BOUNDS) {
+  return Math.hypot(...max.map((high, axis) => high - min[axis])) / 2;
+}
+
 /** Target and distance from which all of a box is visible, from every side. */
-export function framing([min, max], fov, aspect) {
+export function framing([min, max] = DEFAULT_BOUNDS, fov, aspect) {
   const half = max.map((high, axis) => (high - min[axis]) / 2);
   const radius = Math.hypot(half[0], half[2]);
   const slope = Math.tan(fov / 2);

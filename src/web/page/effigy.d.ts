@@ -18,7 +18,7 @@ export interface Camera {
   yaw: number;
   /** Angle above the horizon, radians. It is drawn as if limited to ±1.55. */
   pitch: number;
-  /** Distance from the target, metres, 0.001 to 1e9. */
+  /** Distance from the target, metres, 1e-6 to 1e9. */
   distance: number;
   /** Vertical field of view, radians, 0.001 to 3.1. */
   fov: number;

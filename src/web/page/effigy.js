@@ -31,11 +31,6 @@ const DISPOSED = "this avatar's canvas was disposed of";
 const LIVE_POSE_MS = 300;
 /** Pause before a frame for a screenshot of a canvas that can't be seen, ms. */
 const UNSEEN_FRAME_MS = 20;
-/** The box to show before an avatar is loaded, metres. */
-const DEFAULT_BOUNDS = [
-  [-0.5, 0, -0.5],
-  [0.5, 1.8, 0.5],
-];
 
 const toFloat32 = (list) => (list instanceof Float32Array ? list : Float32Array.from(list));
 
@@ -326,8 +321,7 @@ export class Effigy extends EventTarget {
   frameAvatar() {
     this.#checkOpen();
     this.#describe();
-    const bounds = this.#description.bounds ?? DEFAULT_BOUNDS;
-    this.camera = framing(bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
+    this.camera = framing(this.#description.bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
   }
 
   set projection(on) {

@@ -1,6 +1,8 @@
 // Orbits, zooms and pans the camera with mouse, fingers and keys.
+import { radius } from "./camera.js";
 
 const PITCH_MAX = 1.5;
+/** Nearest and furthest distance, in radii of the avatar's box. */
 const DISTANCE_MIN = 0.15;
 const DISTANCE_MAX = 100;
 /** How far an arrow key moves, px of a drag. */
@@ -28,7 +30,9 @@ export function orbitControls(effigy, canvas) {
 
   /** Multiplies the distance. */
   const zoom = (factor) => {
-    const distance = clamp(effigy.camera.distance * factor, DISTANCE_MIN, DISTANCE_MAX);
+    const size = radius(effigy.description.bounds);
+    const [min, max] = [DISTANCE_MIN * size, DISTANCE_MAX * size];
+    const distance = clamp(effigy.camera.distance * factor, min, max);
     effigy.camera = { distance };
   };
 

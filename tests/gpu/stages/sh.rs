@@ -60,7 +60,9 @@ fn still(seed: u64, gaussians: usize, degree: usize) -> Avatar {
 /// half a step of which is 2⁻¹² of what lies between 1/2 and 1 and 2⁻¹¹ of the number at most;
 /// f32's sums and the direction's turns are far below that.
 fn check(what: &str, frame: &gpu::Frame) {
-    let expected = reference::sh::colors(&frame.avatar, &frame.posed, &frame.camera).unwrap();
+    let mean = |k: usize| frame.reference.gaussians[k].mean;
+    let colors = reference::sh::colors(&frame.avatar, &frame.posed, &frame.camera, mean);
+    let expected = colors.unwrap();
     assert_eq!(frame.gpu.colors.len(), expected.len());
     for (at, (got, expected)) in frame.gpu.colors.iter().zip(&expected).enumerate() {
         let error = (DVec3::from(got.map(f64::from)) - expected).abs();
@@ -95,6 +97,50 @@ fn compare(packed_words: Option<bool>) {
 
 fn every_colour_is_the_references() {
     compare(None);
+}
+
+/// A scene whose nodes displace its Gaussians, from metres to half a kilometre: a body in one box.
+fn spread(seed: u64, gaussians: usize, degree: usize) -> Avatar {
+    let mut avatar = still(seed, gaussians, degree);
+    let offsets = [0.0, 4.0, -32.0, 512.0].map(|x| f16s([x, 0.25 * x, -2.0 * x]));
+    avatar.nodes = effigy_core::avatar::Nodes {
+        position: vec![[0; 3]; 4],
+        part: vec![0; 4],
+        offset: offsets.to_vec(),
+        basis: avatar.nodes.basis.clone(),
+    };
+    for (k, node) in avatar.gaussians.node.iter_mut().enumerate() {
+        *node = [(k % 4) as u16; 3];
+    }
+    avatar
+}
+
+/// Directions lead to where nodes put a Gaussian, and images of such a scene are the reference's,
+/// those after a turn of the camera too, which come from the pose cache where colours stand still.
+fn what_nodes_displace_is_seen_where_it_is() {
+    let device = gpu::gpu();
+    for degree in [0, 1, 3] {
+        let avatar = spread(4, 3000, degree);
+        let posed = Posed::new(&avatar, &Pose::rest(1, 0));
+        let camera = Camera::orbit(DVec3::Y, 0.3, 0.1, 3.0, 0.8, [200, 160]);
+        let options = gpu::options([200, 160]);
+        let frame = gpu::draw(&device, avatar.clone(), posed.clone(), camera, options);
+        if degree > 0 {
+            check(&format!("displaced, degree {degree}"), &frame);
+        }
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        for yaw in [0.3, 0.31, 0.5] {
+            let camera = Camera::orbit(DVec3::Y, yaw, 0.1, 3.0, 0.8, [200, 160]);
+            renderer.draw(&posed, &camera, None).unwrap();
+            let image = renderer.read_image().unwrap();
+            let expected = reference::render(&avatar, &posed, &camera);
+            let error = error::between(&image, &expected);
+            assert!(
+                error.covered.psnr_db >= 48.0 && error.covered.pixels > 1000,
+                "degree {degree}, yaw {yaw}: {error:?}"
+            );
+        }
+    }
 }
 
 fn packed_words_give_the_same_as_halves() {
@@ -144,7 +190,9 @@ fn colours_turn_with_the_avatar() {
     let camera = Camera::orbit(DVec3::ZERO, 0.3, 0.1, 4.0, 0.7, [64, 64]);
     let mut pose = Pose::rest(1, 0);
     let colors = |pose: &Pose, camera: &Camera| {
-        reference::sh::colors(&avatar, &Posed::new(&avatar, pose), camera).unwrap()
+        let posed = Posed::new(&avatar, pose);
+        let mean = |k: usize| posed.joints[0].transform_point3(avatar.placed(k));
+        reference::sh::colors(&avatar, &posed, camera, mean).unwrap()
     };
     let before = colors(&pose, &camera);
     let largest = |a: &[DVec3], b: &[DVec3]| {
@@ -203,6 +251,7 @@ fn the_stage_runs_when_the_view_changes_and_for_no_other_avatar() {
 
 tests! {
     every_colour_is_the_references: smoke,
+    what_nodes_displace_is_seen_where_it_is,
     packed_words_give_the_same_as_halves,
     avatars_that_move_inside_may_have_harmonics_too,
     static_avatars_look_as_the_reference_draws_them,

@@ -2,7 +2,11 @@
 //! where they can't see.
 
 use effigy_core::{
-    io::{cameras, splats::Up},
+    avatar::{Avatar, Filter},
+    io::{
+        cameras,
+        splats::{Splats, Up},
+    },
     scene::Camera,
 };
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -47,6 +51,33 @@ fn cameras_see_what_3dgs_sees() {
             DVec2::new(200.0, 120.0)
         )
     );
+}
+
+/// Cameras of a scene of a centimetre have their near plane nearer than its splats; those of a person
+/// have theirs where it was.
+fn near_planes_follow_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cameras.json");
+    std::fs::write(&path, CAMERAS).unwrap();
+    let near = |avatar: &Avatar| effigy_cli::source::cameras(&path, avatar).unwrap()[0].near;
+    let scene = |scale: f32| {
+        let splats = Splats {
+            position: vec![[scale, 0.0, 0.0], [-scale, scale, scale]],
+            rotation: vec![[1.0, 0.0, 0.0, 0.0]; 2],
+            log_scale: vec![[(0.1 * scale).ln(); 3]; 2],
+            opacity: vec![2.0; 2],
+            color: vec![[0.5; 3]; 2],
+            degree: 0,
+            harmonics: vec![],
+            up: Up::TRAINED,
+            filter: Filter::DEFAULT,
+        };
+        near(&splats.to_avatar("scene").unwrap())
+    };
+    assert_eq!(scene(10.0), Camera::NEAR);
+    assert!((scene(0.01) / scene(0.1) - 0.1).abs() < 1e-3);
+    assert!(scene(0.01) < 0.002);
+    assert_eq!(near(&effigy_demo::avatar().unwrap()), Camera::NEAR);
 }
 
 /// What mmlphuman writes: a camera two metres before the origin, turned a quarter about its own
@@ -182,6 +213,7 @@ proptest! {
 
 tests! {
     cameras_see_what_3dgs_sees,
+    near_planes_follow_the_scene,
     cameras_of_mmlphuman_see_what_those_of_3dgs_see,
     cameras_come_back_as_they_are_written,
     cameras_that_cannot_see_are_named,

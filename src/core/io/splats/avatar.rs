@@ -1,17 +1,20 @@
 //! The avatar of splats: static, with one joint, which rotates the file's axes to ours. Gaussians
 //! come in the order of a space-filling curve, so that neighbours in memory are neighbours in space.
 
-use super::{Splats, functions_of};
+use super::{
+    Splats,
+    cells::{Cells, Place},
+    functions_of,
+};
 use crate::each;
 use crate::{
     avatar::{
-        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Networks, Nodes, Parts, Rows,
-        ShCoefficients, Skeleton,
+        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Matrix, Networks, Nodes, Parts,
+        Rows, ShCoefficients, Skeleton,
     },
     constants::F16_MAX,
     io::file::FormatError,
 };
-use glam::DVec3;
 use half::f16;
 
 /// Log scales are clamped to ±this: from nanometres to more than any scene.
@@ -28,33 +31,47 @@ struct Converted {
 impl Splats {
     /// Converts to an avatar of that name. The canonical space is the file's own, so that spherical
     /// harmonics keep their directions. Numbers are stored as in every avatar: positions as 16-bit
-    /// coordinates in the Gaussians' box, opacity in 8 bits, all else in f16.
+    /// coordinates in a box, which nodes displace where one box would be too coarse for all;
+    /// opacity in 8 bits, all else in f16.
     ///
     /// # Errors
     /// When the splats break a rule of [`Self::check`].
     pub fn to_avatar(&self, name: &str) -> Result<Avatar, FormatError> {
         self.check()?;
-        let (gaussians, sh) = self.gaussians();
+        let (gaussians, nodes, sh) = self.gaussians();
         let canonical = self.up.rotation().inverse().to_scaled_axis();
         let canonical = canonical.as_vec3().to_array();
-        Ok(scene(name, canonical, gaussians, sh, self.filter))
+        Ok(scene(name, canonical, gaussians, nodes, sh, self.filter))
     }
 
-    /// The Gaussians; the spherical harmonics are None if there are none above degree 0.
-    fn gaussians(&self) -> (Gaussians, Option<ShCoefficients>) {
+    /// The Gaussians and the nodes that displace them; the spherical harmonics are None if there
+    /// are none above degree 0.
+    fn gaussians(&self) -> (Gaussians, Nodes, Option<ShCoefficients>) {
         let count = self.len();
-        let bounds = bounds(&self.position);
-        let code = |k: usize| Place {
-            code: morton(bounds.encode(point(self.position[k]))),
-            splat: k as u32,
-        };
-        let mut order = each::map(count, code);
-        order.sort_unstable();
-        let converted = each::map(count, |k| self.convert(order[k].splat as usize));
-        let encode = |k: usize| bounds.encode(point(self.position[order[k].splat as usize]));
+        let cells = Cells::new(self);
+        let mut order: Vec<Ordered> = each::map(count, |k| {
+            let place = cells.place(self.position[k]);
+            Ordered {
+                cell: morton(place.cell()),
+                code: morton(place.code),
+                splat: k as u32,
+                place,
+            }
+        });
+        order.sort_unstable_by_key(|own| (own.cell, own.code, own.splat));
+        let mut offset = vec![];
+        let mut node = Vec::with_capacity(count);
+        for (k, own) in order.iter().enumerate() {
+            if k == 0 || order[k - 1].cell != own.cell {
+                offset.push(own.place.offset);
+            }
+            node.push([(offset.len() - 1) as u16; 3]);
+        }
+        let splat = |k: usize| order[k].splat as usize;
+        let converted = each::map(count, |k| self.convert(splat(k)));
         let gaussians = Gaussians {
-            bounds,
-            position: each::map(count, encode),
+            bounds: cells.bounds(),
+            position: order.iter().map(|own| own.place.code).collect(),
             rotation: converted.iter().map(|gaussian| gaussian.rotation).collect(),
             log_scale: converted
                 .iter()
@@ -62,19 +79,19 @@ impl Splats {
                 .collect(),
             color: converted.iter().map(|gaussian| gaussian.color).collect(),
             opacity: converted.iter().map(|gaussian| gaussian.opacity).collect(),
+            node,
             ..Gaussians::of_one_joint(count)
         };
-        warn_of_coarse_steps(&gaussians);
         let functions = functions_of(self.degree);
         let coefficient = |k: usize| {
-            let row = functions * order[k / functions].splat as usize;
+            let row = functions * splat(k / functions);
             self.harmonics[row + k % functions].map(|c| half(c.into()))
         };
         let sh = (functions > 0).then(|| ShCoefficients {
             degree: self.degree,
             coefficients: each::map(functions * count, coefficient),
         });
-        (gaussians, sh)
+        (gaussians, nodes(offset), sh)
     }
 
     fn convert(&self, k: usize) -> Converted {
@@ -91,11 +108,22 @@ impl Splats {
     }
 }
 
-/// A Gaussian's place on the curve, and its index in the file.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Place {
+/// A Gaussian's place on the curve, first that of its cell, and its index in the file.
+struct Ordered {
+    cell: u64,
     code: u64,
     splat: u32,
+    place: Place,
+}
+
+/// Nodes that displace what follows them, and that nothing moves.
+pub fn nodes(offset: Vec<[f16; 3]>) -> Nodes {
+    Nodes {
+        position: vec![[0; 3]; offset.len()],
+        part: vec![0; offset.len()],
+        offset,
+        basis: Matrix::default(),
+    }
 }
 
 /// The avatar of splats. `canonical`: the axis-angle rotation of its canonical pose, radians.
@@ -103,6 +131,7 @@ pub fn scene(
     name: &str,
     canonical: [f32; 3],
     gaussians: Gaussians,
+    nodes: Nodes,
     sh: Option<ShCoefficients>,
     filter: Filter,
 ) -> Avatar {
@@ -126,7 +155,7 @@ pub fn scene(
         rotation_rows: Rows::default(),
         scale_rows: Rows::default(),
         color_rows: Rows::default(),
-        nodes: Nodes::still(),
+        nodes,
         inputs: Inputs::none(),
         gaussians,
         sh,
@@ -155,25 +184,6 @@ impl Gaussians {
     }
 }
 
-fn point(position: [f32; 3]) -> DVec3 {
-    DVec3::from(position.map(f64::from))
-}
-
-/// The box around all positions; there is at least one.
-fn bounds(positions: &[[f32; 3]]) -> Bounds {
-    let mut bounds = Bounds {
-        min: [f32::INFINITY; 3],
-        max: [f32::NEG_INFINITY; 3],
-    };
-    for position in positions {
-        for (axis, &value) in position.iter().enumerate() {
-            bounds.min[axis] = bounds.min[axis].min(value);
-            bounds.max[axis] = bounds.max[axis].max(value);
-        }
-    }
-    bounds
-}
-
 /// Index along a Morton curve: the interleaved bits of the three coordinates.
 fn morton(q: [u16; 3]) -> u64 {
     (0..16)
@@ -186,27 +196,6 @@ fn morton(q: [u16; 3]) -> u64 {
 /// Rounds to f16; numbers beyond its range are clamped.
 fn half(value: f64) -> f16 {
     f16::from_f64(value.clamp(-F16_MAX, F16_MAX))
-}
-
-/// Warns if positions are rounded to more than half of most Gaussians' diameter.
-fn warn_of_coarse_steps(gaussians: &Gaussians) {
-    let step = gaussians.bounds.step().max_element();
-    let mut thin: Vec<f16> = gaussians
-        .log_scale
-        .iter()
-        .map(|s| s[0].min(s[1]).min(s[2]))
-        .collect();
-    let middle = thin.len() / 2;
-    let (_, median, _) = thin.select_nth_unstable_by(middle, f16::total_cmp);
-    let median = median.to_f64().exp();
-    if step > 0.5 * median {
-        tracing::warn!(
-            "positions are rounded to {:.2} mm, while the median Gaussian's thinnest axis measures {:.2} mm: a few far-off Gaussians may \
-             stretch the box that positions are kept in; cut them off for an exact image",
-            1e3 * step,
-            1e3 * median
-        );
-    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,10 @@
 //! The length of a document in 8 bytes, the document in JSON, then the Gaussians, an array after the
 //! other in this machine's order.
 
-use super::{avatar::scene, functions_of};
+use super::{
+    avatar::{nodes, scene},
+    functions_of,
+};
 use crate::{
     avatar::{Avatar, Bounds, Filter, Gaussians, ShCoefficients, limits},
     io::file::FormatError,
@@ -22,6 +25,7 @@ struct Document {
     /// Lower and upper corner of the box of positions, metres.
     bounds: [[f32; 3]; 2],
     gaussians: usize,
+    nodes: usize,
     /// Highest degree of the spherical harmonics.
     degree: usize,
     filter: Filter,
@@ -40,6 +44,7 @@ pub fn to_columns(avatar: &Avatar) -> Vec<u8> {
             .unwrap_or_default(),
         bounds: [gaussians.bounds.min, gaussians.bounds.max],
         gaussians: gaussians.len(),
+        nodes: avatar.nodes.len(),
         degree: avatar.sh.as_ref().map_or(0, |sh| sh.degree),
         filter: avatar.filter,
     })
@@ -51,6 +56,10 @@ pub fn to_columns(avatar: &Avatar) -> Vec<u8> {
     bytes.extend_from_slice(bytemuck::cast_slice(&gaussians.log_scale));
     bytes.extend_from_slice(bytemuck::cast_slice(&gaussians.color));
     bytes.extend_from_slice(&gaussians.opacity);
+    bytes.extend_from_slice(bytemuck::cast_slice(&avatar.nodes.offset));
+    if avatar.nodes.len() > 1 {
+        bytes.extend_from_slice(bytemuck::cast_slice(&gaussians.node));
+    }
     if let Some(sh) = &avatar.sh {
         bytes.extend_from_slice(bytemuck::cast_slice(&sh.coefficients));
     }
@@ -68,12 +77,15 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
     let (document, rest) = rest.split_at_checked(length).ok_or_else(other)?;
     let document: Document = serde_json::from_slice(document).map_err(|_| other())?;
     let count = document.gaussians;
-    if !(1..=limits::GAUSSIANS).contains(&count) || document.degree > 3 {
+    let allowed = (1..=limits::GAUSSIANS).contains(&count)
+        && (1..=limits::NODES).contains(&document.nodes)
+        && document.degree <= 3;
+    if !allowed {
         return Err(other());
     }
     let [min, max] = document.bounds;
     let mut columns = Columns { rest };
-    let gaussians = Gaussians {
+    let mut gaussians = Gaussians {
         bounds: Bounds { min, max },
         position: columns.take(count).ok_or_else(other)?,
         rotation: columns.take(count).ok_or_else(other)?,
@@ -82,6 +94,10 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
         opacity: columns.take(count).ok_or_else(other)?,
         ..Gaussians::of_one_joint(count)
     };
+    let nodes = nodes(columns.take(document.nodes).ok_or_else(other)?);
+    if nodes.len() > 1 {
+        gaussians.node = columns.take(count).ok_or_else(other)?;
+    }
     let functions = functions_of(document.degree);
     let coefficients: Vec<[f16; 3]> = columns.take(functions * count).ok_or_else(other)?;
     let sh = (functions > 0).then_some(ShCoefficients {
@@ -92,6 +108,7 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
         &document.name,
         document.canonical,
         gaussians,
+        nodes,
         sh,
         document.filter,
     ))

@@ -4,6 +4,7 @@
 
 mod avatar;
 mod axes;
+mod cells;
 mod check;
 mod columns;
 mod far;
