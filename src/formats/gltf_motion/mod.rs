@@ -223,7 +223,7 @@ impl<'a> Reading<'a> {
             let times = times(self.source, sampler)?;
             span.start = span.start.min(times[0].into());
             span.end = span.end.max(times[times.len() - 1].into());
-            for pair in times.windows(2) {
+            for pair in times.windows(2).filter(|pair| pair[0] < pair[1]) {
                 let step = f64::from(pair[1] - pair[0]);
                 span.shortest = Some(span.shortest.map_or(step, |shortest| step.min(shortest)));
             }
