@@ -10,7 +10,7 @@ mod expanded;
 
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, Rest, check_size},
+    capture::{Capture, Captured, Rest, UpAxis, check_size},
     scene_tree::{Joint, Place, SceneTree},
 };
 use effigy_core::io::file::{FormatError, excerpt};
@@ -217,15 +217,15 @@ fn load(bytes: &[u8], room: Room) -> Result<SceneRoot, FormatError> {
     ufbx::load_memory(bytes, options).map_err(|error| room.refused(&error))
 }
 
-fn axis(axis: CoordinateAxis) -> Option<DVec3> {
-    Some(match axis {
+fn axis(axis: CoordinateAxis) -> UpAxis {
+    UpAxis::Said(match axis {
         CoordinateAxis::PositiveX => DVec3::X,
         CoordinateAxis::NegativeX => DVec3::NEG_X,
         CoordinateAxis::PositiveY => DVec3::Y,
         CoordinateAxis::NegativeY => DVec3::NEG_Y,
         CoordinateAxis::PositiveZ => DVec3::Z,
         CoordinateAxis::NegativeZ => DVec3::NEG_Z,
-        CoordinateAxis::Unknown => return None,
+        CoordinateAxis::Unknown => return UpAxis::Open,
     })
 }
 
@@ -498,7 +498,10 @@ mod tests {
         let capture = &captured.capture;
         let shown = shown();
         assert_eq!((capture.frames(), capture.rate), (shown.frames.len(), 25.0));
-        assert_eq!((capture.unit, capture.up), (Some(0.01), Some(DVec3::Z)));
+        assert_eq!(
+            (capture.unit, capture.up),
+            (Some(0.01), UpAxis::Said(DVec3::Z))
+        );
         for (at, frame) in shown.frames.iter().enumerate() {
             compare(&format!("frame {at}"), capture, &capture.world(at), frame);
         }

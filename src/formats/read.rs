@@ -263,7 +263,7 @@ pub fn clip(
     let made = retarget::retarget(&captured.capture, skeleton, &name, &retargeting)?;
     Ok(OpenedClip {
         clip: made.clip,
-        assumptions: captured.assumptions,
+        assumptions: [captured.assumptions, made.assumptions].concat(),
         report: Some(made.report),
         capture: Some(captured.capture),
     })

@@ -17,7 +17,7 @@ mod tree;
 
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, LocalPose, Rest, check_size},
+    capture::{Capture, Captured, LocalPose, Rest, UpAxis, check_size},
     scene_tree::{Joint, Place},
 };
 use accessor::Source;
@@ -306,7 +306,7 @@ impl<'a> Reading<'a> {
             rate,
             local: vec![LocalPose::new(DQuat::IDENTITY, DVec3::ZERO); frames * joints.len()],
             unit: Some(1.0),
-            up: Some(DVec3::Y),
+            up: UpAxis::Said(DVec3::Y),
             model_rest: false,
             expression: vec![],
             expression_len: 0,

@@ -4,7 +4,7 @@
 use super::skeleton::smpl_x;
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, LocalPose, check_size},
+    capture::{Capture, Captured, LocalPose, UpAxis, check_size},
     json::bounded,
     smpl,
     smpl_joints::SMPL_X,
@@ -365,7 +365,7 @@ pub fn capture_poses(bytes: &[u8], rate: Option<f64>) -> Result<Captured, Format
             rate: clip.rate,
             local,
             unit: Some(1.0),
-            up: None,
+            up: UpAxis::Open,
             model_rest: true,
             expression: clip.expression,
             expression_len: clip.expression_len,

@@ -5,7 +5,7 @@ pub mod hostile;
 
 use effigy_core::io::file::FormatError;
 use effigy_formats::{
-    capture::{Capture, Captured, Rest},
+    capture::{Capture, Captured, Rest, UpAxis},
     gltf_motion::{self, Options},
 };
 use glam::{DAffine3, DMat3, DVec3};
@@ -79,7 +79,10 @@ fn joints_are_where_numpy_computes_them_from_the_specification() {
     ] {
         let capture = read(bytes, &Options::default()).capture;
         assert_eq!(capture.joints.len(), 5, "{what}");
-        assert_eq!((capture.unit, capture.up), (Some(1.0), Some(DVec3::Y)));
+        assert_eq!(
+            (capture.unit, capture.up),
+            (Some(1.0), UpAxis::Said(DVec3::Y))
+        );
         frames(what, &capture);
     }
 }
@@ -162,9 +165,6 @@ fn keys_are_sampled_at_the_rate_that_is_asked_for() {
     }
 }
 
-tests! {
-    joints_are_where_numpy_computes_them_from_the_specification,
-    the_rest_pose_is_that_of_the_skin_or_of_the_nodes,
 /// Where the times of keys are in [`BYTES`]: of most channels, one a frame, and of three keys.
 const DENSE: std::ops::Range<usize> = 320..348;
 const SPARSE: std::ops::Range<usize> = 348..360;
@@ -254,10 +254,13 @@ fn plain_bytes_beside_compressed_ones_are_read() {
     assert!(error.contains("found EXT_meshopt_compression"), "{error}");
 }
 
-    joints_have_the_names_of_nodes_or_of_vrms_bones,
+tests! {
     keys_before_second_0_are_played_from_the_first_on,
     the_last_of_keys_at_one_time_counts_from_then_on,
     plain_bytes_beside_compressed_ones_are_read,
+    joints_are_where_numpy_computes_them_from_the_specification,
+    the_rest_pose_is_that_of_the_skin_or_of_the_nodes,
+    joints_have_the_names_of_nodes_or_of_vrms_bones,
     animations_are_chosen_by_name_or_number,
     keys_are_sampled_at_the_rate_that_is_asked_for,
 }
