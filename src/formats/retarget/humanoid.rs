@@ -119,7 +119,7 @@ impl Humanoid {
                     "a head above two arms whose joints follow each other".into()
                 } else {
                     format!(
-                        "two arms and a head: {} by these names, or joints that are said to be them",
+                        "two arms and a head, of which {} were not found: say which joint each is",
                         missing.join(", ")
                     )
                 },

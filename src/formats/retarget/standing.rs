@@ -48,6 +48,7 @@ pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> Up {
         // Somebody may lie or swim in all frames of an animation, but nobody rests so.
         UpAxis::Said(axis) => {
             let other = rest().filter(|&other| standing.mostly(other, axis));
+            let other = other.or_else(|| standing.travels(axis));
             standing.instead(axis, other, "the file says")
         }
         UpAxis::Usual { axis, whose } => standing.usual(axis, whose),
@@ -148,19 +149,22 @@ impl Standing {
         flipped.then_some(-axis)
     }
 
-    /// An axis, or another that goes before it.
+    /// An axis, or another that goes before it. Says which, where bodies stand along another.
     fn instead(&self, axis: DVec3, other: Option<DVec3>, who: &str) -> Up {
-        let assumption = other.map(|other| Assumption {
+        let taken = other.unwrap_or(axis);
+        let stand = other.or_else(|| self.best().filter(|&best| self.mostly(best, axis)));
+        let assumption = stand.map(|stand| Assumption {
             what: "up axis",
-            taken: name(other).into(),
+            taken: name(taken).into(),
             because: format!(
-                "bodies stand along it in {:.0} % of the frames; {who} {}",
-                100.0 * self.share[place(other)],
+                "bodies stand along {} in {:.0} % of the frames; {who} {}",
+                name(stand),
+                100.0 * self.share[place(stand)],
                 name(axis)
             ),
         });
         Up {
-            axis: other.unwrap_or(axis),
+            axis: taken,
             assumption,
         }
     }
@@ -174,7 +178,7 @@ impl Standing {
             .filter(|&best| (elsewhere && !self.steadier(axis, best)) || self.steadier(best, axis));
         let who = format!("{whose} have");
         let mut up = self.instead(axis, other.filter(|&other| other != axis), &who);
-        if up.assumption.is_none() && self.share[place(axis)] < SOME {
+        if up.axis == axis && self.share[place(axis)] < SOME {
             up.assumption = Some(Assumption {
                 what: "up axis",
                 taken: format!("{}, as {who}", name(axis)),

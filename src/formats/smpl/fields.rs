@@ -77,6 +77,16 @@ impl Table {
         }
     }
 
+    /// The first columns of every row.
+    pub fn first(&self, columns: usize) -> Self {
+        let rows = self.numbers.chunks_exact(self.width);
+        Self {
+            width: columns,
+            numbers: rows.flat_map(|row| &row[..columns]).copied().collect(),
+            people: self.people,
+        }
+    }
+
     /// A row; of a table of a single row, that one.
     pub fn row(&self, at: usize) -> &[f32] {
         let at = if self.rows() == 1 { 0 } else { at };

@@ -7,7 +7,7 @@ use super::{
     track::{Anchor, Part, Track},
 };
 use crate::{assumption::Assumption, capture::UpAxis, smpl_joints::BODY};
-use effigy_core::io::file::FormatError;
+use effigy_core::{avatar::limits, io::file::FormatError};
 use glam::DVec3;
 use std::{ops::Range, rc::Rc};
 
@@ -183,7 +183,7 @@ fn rows(
     };
     let family = if smpl_x { Family::SmplX } else { Family::Smpl };
     let mut track = Track::of_parts(family, parts);
-    track.expression = fields.rows(&EXPRESSION, MAX_EXPRESSION)?;
+    expression(fields, &mut track)?;
     Ok(track)
 }
 
@@ -195,7 +195,7 @@ pub fn recognise(fields: &mut Fields) -> Result<Track, FormatError> {
         .into_iter()
         .any(has);
     let mut track = if has(&POSE_MATRICES) {
-        tram(fields)?
+        matrices(fields)?
     } else if has(&ROMP_POSES) {
         let mut track = rows(fields, &ROMP_POSES, &[72])?;
         camera(&mut track, "ROMP's results are seen from the camera");
@@ -267,7 +267,14 @@ fn aist(fields: &mut Fields) -> Result<Track, FormatError> {
     Ok(track)
 }
 
-fn tram(fields: &mut Fields) -> Result<Track, FormatError> {
+/// Matrices of TRAM's and HybrIK's.
+fn matrices(fields: &mut Fields) -> Result<Track, FormatError> {
+    let what = match fields.find(&POSE_MATRICES) {
+        Some("pred_rotmat") => {
+            "TRAM keeps the camera's own motion in camera.npy, which is not read"
+        }
+        _ => "the file has no motion in the world",
+    };
     let table = fields.table(&POSE_MATRICES, &[MATRICES])?;
     let table = need(table, POSE_MATRICES[0], fields)?;
     let part = Part {
@@ -277,11 +284,26 @@ fn tram(fields: &mut Fields) -> Result<Track, FormatError> {
         joints: 0..BODY,
     };
     let mut track = Track::of_parts(Family::Smpl, vec![part]);
-    camera(
-        &mut track,
-        "TRAM keeps the camera's own motion in camera.npy, which is not read",
-    );
+    camera(&mut track, what);
     Ok(track)
+}
+
+/// The face's expression, as much of it as a clip has.
+fn expression(fields: &mut Fields, track: &mut Track) -> Result<(), FormatError> {
+    track.expression = fields.rows(&EXPRESSION, MAX_EXPRESSION)?;
+    let Some(table) = track
+        .expression
+        .take_if(|table| table.width > limits::EXPRESSION)
+    else {
+        return Ok(());
+    };
+    track.assumptions.push(Assumption {
+        what: "expression",
+        taken: format!("{} of {} numbers", limits::EXPRESSION, table.width),
+        because: "a clip has no more".into(),
+    });
+    track.expression = Some(table.first(limits::EXPRESSION));
+    Ok(())
 }
 
 /// Arguments of the models' code: `smpl_params.npz` of AvatarReX and THuman4, GVHMR's results, and
@@ -310,7 +332,7 @@ fn arguments(fields: &mut Fields) -> Result<Track, FormatError> {
     }
     let mut track = Track::of_parts(if smpl_x { Family::SmplX } else { Family::Smpl }, parts);
     hands(fields, &mut track)?;
-    track.expression = fields.rows(&EXPRESSION, MAX_EXPRESSION)?;
+    expression(fields, &mut track)?;
     Ok(track)
 }
 
