@@ -7,7 +7,9 @@
 
 use crate::{
     assumption::Assumption,
-    capture::{Capture, CaptureJoint, Captured, LocalPose, MAX_FRAMES, MAX_JOINTS, most_poses},
+    capture::{
+        Capture, CaptureJoint, Captured, LocalPose, MAX_FRAMES, MAX_JOINTS, UpAxis, most_poses,
+    },
 };
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3, Vec3};
@@ -59,15 +61,25 @@ impl Line<'_> {
 }
 
 /// The text of a file, whose names may be in any encoding. What is no UTF-8 becomes ASCII, which
-/// takes no more room.
+/// takes no more room. A brace right behind such a byte is the second half of a letter, as in
+/// Shift-JIS and GBK.
 fn readable(bytes: &[u8]) -> Cow<'_, str> {
     if let Ok(text) = str::from_utf8(bytes) {
         return text.into();
     }
     let mut text = String::with_capacity(bytes.len());
+    let mut half = false;
     for chunk in bytes.utf8_chunks() {
-        text.push_str(chunk.valid());
-        if !chunk.invalid().is_empty() {
+        let valid = chunk.valid();
+        match valid.strip_prefix(['{', '}']).filter(|_| half) {
+            Some(rest) => {
+                text.push('?');
+                text.push_str(rest);
+            }
+            None => text.push_str(valid),
+        }
+        half = !chunk.invalid().is_empty();
+        if half {
             text.push('?');
         }
     }
@@ -136,7 +148,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
             rate: 1.0 / frame_time,
             local,
             unit: None,
-            up: None,
+            up: UpAxis::Open,
             model_rest: false,
             expression: vec![],
             expression_len: 0,

@@ -6,22 +6,26 @@
 //! into offsets: they are taken to be even and not to change. Curves are sampled; layers of an
 //! animation, pivots and orders of rotation are the library's work.
 
+mod expanded;
+
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, Rest, check_size},
+    capture::{Capture, Captured, Rest, UpAxis, check_size},
     scene_tree::{Joint, Place, SceneTree},
 };
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3, DVec4};
 use ufbx::{
-    AllocatorOpts, Anim, AnimStack, BakeOpts, CoordinateAxis, ElementType, FileFormat,
+    AllocatorOpts, Anim, AnimStack, BakeOpts, CoordinateAxis, ElementType, ErrorType, FileFormat,
     InheritModeHandling, LoadOpts, Node, SceneRoot, Transform,
 };
 
-/// Bytes that the library may take for any file, and how many more for a byte of it; twice: for
-/// what it needs while it reads, and for what it gives.
+/// Bytes that the library may take for any file, and how many more for a byte of it with its arrays
+/// unpacked: for what it needs while it reads, and for what it gives. A key has 12 bytes in such a
+/// file, and 40 in what it gives.
 const SMALL: usize = 24 << 20;
-const GROWTH: usize = 2;
+const WHILE_READING: usize = 2;
+const GIVEN: usize = 4;
 /// Most nodes above a node.
 const MAX_DEPTH: u32 = 1024;
 /// Frames a second: most that a file may ask for, and what is taken where it asks for none.
@@ -58,11 +62,12 @@ pub fn is_fbx(bytes: &[u8]) -> bool {
 /// When the bytes are no FBX that the library reads within its limits of memory, when there is no
 /// such animation or none at all, or no node that can be a joint.
 pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatError> {
-    let scene = load(bytes)?;
+    let room = Room::of(bytes);
+    let scene = load(bytes, room)?;
     let mut assumptions = vec![];
     let stack = chosen(&scene, options.animation.as_deref(), &mut assumptions)?;
     let rate = rate(&scene, options.rate)?;
-    let span = span(&scene, stack, bytes.len())?;
+    let span = span(&scene, stack, room)?;
     let seconds = span.end - span.start;
     if !(0.0..=MAX_SECONDS).contains(&seconds) {
         return Err(FormatError::metadata(
@@ -124,7 +129,7 @@ struct Span {
 }
 
 /// When an animation says that it plays, or else when its keys are.
-fn span(scene: &SceneRoot, stack: &AnimStack, size: usize) -> Result<Span, FormatError> {
+fn span(scene: &SceneRoot, stack: &AnimStack, room: Room) -> Result<Span, FormatError> {
     if stack.time_end > stack.time_begin {
         return Ok(Span {
             start: stack.time_begin,
@@ -132,11 +137,12 @@ fn span(scene: &SceneRoot, stack: &AnimStack, size: usize) -> Result<Span, Forma
         });
     }
     let options = BakeOpts {
-        temp_allocator: allocator(size),
-        result_allocator: allocator(size),
+        temp_allocator: room.allocator(WHILE_READING),
+        result_allocator: room.allocator(GIVEN),
         ..BakeOpts::default()
     };
-    let baked = ufbx::bake_anim(scene, &stack.anim, options).map_err(|error| refused(&error))?;
+    let baked = ufbx::bake_anim(scene, &stack.anim, options);
+    let baked = baked.map_err(|error| room.refused(&error))?;
     let start = baked.key_time_min;
     Ok(Span {
         start,
@@ -157,23 +163,49 @@ impl Times {
     }
 }
 
-/// Limits for a file of `size` bytes.
-fn allocator(size: usize) -> AllocatorOpts {
-    AllocatorOpts {
-        memory_limit: SMALL + GROWTH * size,
-        ..AllocatorOpts::default()
+/// How much memory a file may take.
+#[derive(Clone, Copy)]
+struct Room {
+    /// Bytes of the file with its arrays unpacked.
+    expanded: usize,
+}
+
+impl Room {
+    fn of(bytes: &[u8]) -> Self {
+        Self {
+            expanded: expanded::expanded(bytes),
+        }
+    }
+
+    /// `growth`: bytes of memory for a byte.
+    fn allocator(self, growth: usize) -> AllocatorOpts {
+        AllocatorOpts {
+            memory_limit: SMALL.saturating_add(growth.saturating_mul(self.expanded)),
+            ..AllocatorOpts::default()
+        }
+    }
+
+    fn refused(self, error: &ufbx::Error) -> FormatError {
+        if error.type_ == ErrorType::MemoryLimit {
+            let most = WHILE_READING + GIVEN;
+            return FormatError::container(
+                "an FBX file that takes more memory than its size accounts for",
+                format!(
+                    "at most {most} bytes for each of the {} that it unpacks to: export bones and \
+                     their animation alone",
+                    self.expanded
+                ),
+            );
+        }
+        let said = excerpt(&error.description);
+        FormatError::container(format!("what ufbx can't read: {said}"), "an FBX file")
     }
 }
 
-fn refused(error: &ufbx::Error) -> FormatError {
-    let said = excerpt(&error.description);
-    FormatError::container(format!("what ufbx can't read: {said}"), "an FBX file")
-}
-
-fn load(bytes: &[u8]) -> Result<SceneRoot, FormatError> {
+fn load(bytes: &[u8], room: Room) -> Result<SceneRoot, FormatError> {
     let options = LoadOpts {
-        temp_allocator: allocator(bytes.len()),
-        result_allocator: allocator(bytes.len()),
+        temp_allocator: room.allocator(WHILE_READING),
+        result_allocator: room.allocator(GIVEN),
         ignore_geometry: true,
         ignore_embedded: true,
         file_format: FileFormat::Fbx,
@@ -182,18 +214,18 @@ fn load(bytes: &[u8]) -> Result<SceneRoot, FormatError> {
         inherit_mode_handling: InheritModeHandling::Compensate,
         ..LoadOpts::default()
     };
-    ufbx::load_memory(bytes, options).map_err(|error| refused(&error))
+    ufbx::load_memory(bytes, options).map_err(|error| room.refused(&error))
 }
 
-fn axis(axis: CoordinateAxis) -> Option<DVec3> {
-    Some(match axis {
+fn axis(axis: CoordinateAxis) -> UpAxis {
+    UpAxis::Said(match axis {
         CoordinateAxis::PositiveX => DVec3::X,
         CoordinateAxis::NegativeX => DVec3::NEG_X,
         CoordinateAxis::PositiveY => DVec3::Y,
         CoordinateAxis::NegativeY => DVec3::NEG_Y,
         CoordinateAxis::PositiveZ => DVec3::Z,
         CoordinateAxis::NegativeZ => DVec3::NEG_Z,
-        CoordinateAxis::Unknown => return None,
+        CoordinateAxis::Unknown => return UpAxis::Open,
     })
 }
 
@@ -466,7 +498,10 @@ mod tests {
         let capture = &captured.capture;
         let shown = shown();
         assert_eq!((capture.frames(), capture.rate), (shown.frames.len(), 25.0));
-        assert_eq!((capture.unit, capture.up), (Some(0.01), Some(DVec3::Z)));
+        assert_eq!(
+            (capture.unit, capture.up),
+            (Some(0.01), UpAxis::Said(DVec3::Z))
+        );
         for (at, frame) in shown.frames.iter().enumerate() {
             compare(&format!("frame {at}"), capture, &capture.world(at), frame);
         }

@@ -47,6 +47,18 @@ const SIGNS: [Sign; 23] = [
     sign(b"<?xml", "XML"),
 ];
 
+/// Names of SMPL's parameters in a file of each frame, as LHM and ExAvatar have it.
+const FRAME: [&[u8]; 4] = [
+    b"\"root_pose\"",
+    b"\"body_pose\"",
+    b"\"global_orient\"",
+    b"\"smplx_param",
+];
+
+fn holds(start: &[u8], name: &[u8]) -> bool {
+    start.windows(name.len()).any(|word| word == name)
+}
+
 /// What a file that begins so seems to be; None: nothing is known of it.
 pub fn seems(start: &[u8]) -> Option<&'static str> {
     if start.is_empty() {
@@ -62,6 +74,12 @@ pub fn seems(start: &[u8]) -> Option<&'static str> {
     if let Some(sign) = known {
         return Some(sign.what);
     }
+    if trimmed.starts_with(b"{") && FRAME.iter().any(|name| holds(start, name)) {
+        return Some(
+            "one frame of SMPL's parameters in JSON: stack those of all frames in an .npz, with \
+             the same names",
+        );
+    }
     let is_text = |byte: &u8| !byte.is_ascii_control() || byte.is_ascii_whitespace();
     start.iter().all(is_text).then_some("text of no known kind")
 }
@@ -75,6 +93,8 @@ mod tests {
         assert_eq!(seems(b"\x89PNG\r\n"), Some("a PNG picture"));
         assert_eq!(seems(b""), Some("an empty file"));
         assert_eq!(seems(b"# Effigy\n"), Some("text of no known kind"));
+        let frame = seems(br#"{"root_pose": [0, 0, 0], "body_pose": [[0, 0, 0]]}"#);
+        assert!(frame.is_some_and(|what| what.contains("in an .npz")));
         assert_eq!(seems(&[0, 1, 2, 3]), None);
         let pointer = seems(b"version https://git-lfs.github.com/spec/v1\n");
         assert!(pointer.is_some_and(|what| what.contains("git lfs pull")));

@@ -277,7 +277,7 @@ fn unpacked_clip(
     let made = retarget::retarget(&captured.capture, skeleton, &name, &retargeting)?;
     Ok(OpenedClip {
         clip: made.clip,
-        assumptions: captured.assumptions,
+        assumptions: [captured.assumptions, made.assumptions].concat(),
         report: Some(made.report),
         capture: Some(captured.capture),
     })

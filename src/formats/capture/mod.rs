@@ -58,6 +58,22 @@ impl LocalPose {
     }
 }
 
+/// What a file and its format say of the axis that points up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum UpAxis {
+    /// The file says it, or the format's definition.
+    Said(DVec3),
+    /// Most files of a kind have this one, and others use the same names.
+    Usual {
+        /// The axis.
+        axis: DVec3,
+        /// Whose files, for messages.
+        whose: &'static str,
+    },
+    /// Nothing.
+    Open,
+}
+
 /// A skeleton and its motion as in their file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Capture {
@@ -69,8 +85,8 @@ pub struct Capture {
     pub local: Vec<LocalPose>,
     /// Metres a unit of the file, where it or its format says.
     pub unit: Option<f64>,
-    /// The axis that points up, where the file or its format says.
-    pub up: Option<DVec3>,
+    /// The axis that points up.
+    pub up: UpAxis,
     /// Whether the rest pose is a model's: it says nothing of which way is up in the motion.
     pub model_rest: bool,
     /// Strengths of the face's expression, shape F, `expression_len`; as in the file.

@@ -83,15 +83,16 @@ impl Source<'_> {
         let field = format!("bufferViews[{view}]");
         let of: Option<&View> = self.document.views.get(view as usize);
         let of = of.ok_or_else(|| FormatError::metadata(&field, "nothing", "a view"))?;
-        if of.extensions.meshopt.is_some() {
+        let stride = of.stride.unwrap_or(size as u64);
+        let buffer = self.buffers.get(of.buffer as usize);
+        // Plain bytes may be there too, for readers without the extension.
+        if of.extensions.meshopt.is_some() && buffer.is_none_or(|buffer| buffer.is_empty()) {
             return Err(FormatError::metadata(
                 &field,
                 "EXT_meshopt_compression",
                 "bytes that are not compressed: `gltf-transform copy IN OUT` unpacks them",
             ));
         }
-        let stride = of.stride.unwrap_or(size as u64);
-        let buffer = self.buffers.get(of.buffer as usize);
         let bytes = buffer.and_then(|buffer| {
             let start = usize::try_from(of.offset).ok()?;
             let length = usize::try_from(of.length).ok()?;

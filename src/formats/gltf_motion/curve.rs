@@ -9,7 +9,7 @@ use glam::{DQuat, DVec3, DVec4};
 
 /// Keys and what stands at them.
 pub struct Curve {
-    /// Seconds, rising.
+    /// Seconds, not falling: of keys at one time the last counts from then on.
     times: Vec<f32>,
     /// Rows of 3, or of 4 for rotations; for splines three a key: tangent in, value, tangent out.
     values: Vec<f32>,
@@ -25,19 +25,19 @@ struct Moment {
     share: f64,
 }
 
-/// The times of a sampler's keys, seconds.
+/// The times of a sampler's keys, seconds. They may begin before 0, and several keys may be at one
+/// time: exporters write the frames that an animation has.
 pub fn times(source: &Source, sampler: &Sampler) -> Result<Vec<f32>, FormatError> {
     let count = source.count(sampler.input)?;
     let times = source.numbers(sampler.input, Shape::Scalar, count)?;
-    let rise = times.windows(2).all(|pair| pair[0] < pair[1]);
-    if rise && times.iter().all(|&time| time >= 0.0) {
-        return Ok(times);
+    match times.windows(2).find(|pair| pair[0] > pair[1]) {
+        Some(pair) => Err(FormatError::metadata(
+            &format!("accessors[{}]", sampler.input),
+            format!("a key at {} s after one at {} s", pair[1], pair[0]),
+            "keys in the order of their times",
+        )),
+        None => Ok(times),
     }
-    Err(FormatError::metadata(
-        &format!("accessors[{}]", sampler.input),
-        "times that do not rise",
-        "seconds from 0 that rise from key to key",
-    ))
 }
 
 impl Curve {

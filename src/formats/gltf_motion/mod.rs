@@ -17,7 +17,7 @@ mod tree;
 
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, LocalPose, Rest, check_size},
+    capture::{Capture, Captured, LocalPose, Rest, UpAxis, check_size},
     glb,
     scene_tree::{Joint, Place},
 };
@@ -219,7 +219,7 @@ impl<'a> Reading<'a> {
             let times = times(self.source, sampler)?;
             span.start = span.start.min(times[0].into());
             span.end = span.end.max(times[times.len() - 1].into());
-            for pair in times.windows(2) {
+            for pair in times.windows(2).filter(|pair| pair[0] < pair[1]) {
                 let step = f64::from(pair[1] - pair[0]);
                 span.shortest = Some(span.shortest.map_or(step, |shortest| step.min(shortest)));
             }
@@ -302,7 +302,7 @@ impl<'a> Reading<'a> {
             rate,
             local: vec![LocalPose::new(DQuat::IDENTITY, DVec3::ZERO); frames * joints.len()],
             unit: Some(1.0),
-            up: Some(DVec3::Y),
+            up: UpAxis::Said(DVec3::Y),
             model_rest: false,
             expression: vec![],
             expression_len: 0,

@@ -233,7 +233,11 @@ impl<'p> Value<'p> {
                     Some(text) => excerpt(text),
                     None => self.at(at).number().map_or("?".into(), |n| n.to_string()),
                 };
-                let names = entries.iter().take(12).map(|entry| name(entry.key));
+                let shape = |at| self.at(at).shape().map(|shape| format!(" {shape:?}"));
+                let names = entries.iter().take(12).map(|entry| {
+                    let shape = shape(entry.value).unwrap_or_default();
+                    format!("{}{shape}", name(entry.key))
+                });
                 let names: Vec<String> = names.collect();
                 format!("a dictionary of {}", names.join(", "))
             }

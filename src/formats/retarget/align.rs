@@ -86,7 +86,7 @@ impl Bodies<'_> {
             }
             bones.extend(finger_bones(&children, own, theirs));
         }
-        for (own, theirs) in self.source.legs.iter().zip(&self.target.legs) {
+        for (own, theirs) in self.source.legs().iter().zip(self.target.legs()) {
             bones.push(Bone {
                 joint: own.thigh,
                 end: own.shin,
@@ -153,9 +153,9 @@ impl Alignment {
     }
 }
 
-/// The rotation about the vertical that makes these hips face +z: their left thigh is at +x.
+/// The rotation about the vertical that makes this body face +z: its left is at +x.
 fn heading(source: &Humanoid, at: &[DVec3]) -> DQuat {
-    let [left, right] = [&source.legs[0], &source.legs[1]].map(|leg| at[leg.thigh]);
+    let [left, right] = source.lowest_limbs().map(|joint| at[joint]);
     let across = left - right;
     DQuat::from_rotation_y(across.z.atan2(across.x))
 }
@@ -190,7 +190,7 @@ fn from_rest(bodies: &Bodies, world: &[DAffine3]) -> Vec<DQuat> {
     }
     let children = bodies.tree.children();
     let target_rest = &bodies.target_tree.rest;
-    for (own, theirs) in bodies.source.legs.iter().zip(&bodies.target.legs) {
+    for (own, theirs) in bodies.source.legs().iter().zip(bodies.target.legs()) {
         // Soles are flat in both rest poses: only the direction over the ground is aligned.
         let ball = own.ball(&children);
         if let (Some(ball), Some(their_ball)) = (ball, theirs.toe) {
@@ -317,7 +317,8 @@ impl<'a> Motion<'a> {
             let target_limb = [theirs.upper, theirs.forearm, theirs.hand];
             self.hinge(limb, target_limb, hinge, above);
             self.hand(own, theirs);
-            let (own, theirs) = (&source.legs[side], &target.legs[side]);
+        }
+        for (own, theirs) in source.legs().iter().zip(target.legs()) {
             let limb = [own.thigh, own.shin, own.foot];
             let target_limb = [theirs.thigh, theirs.shin, theirs.foot];
             self.hinge(limb, target_limb, DVec3::X, source.hips);
@@ -336,17 +337,16 @@ impl<'a> Motion<'a> {
         self.inverse
     }
 
-    /// Hips, from the thighs that leave them and the trunk.
+    /// Hips, from the thighs that leave them and the trunk; without legs, from the arms.
     fn hips(&self) -> Option<DQuat> {
         let Bodies { source, target, .. } = self.bodies;
-        let thighs = |humanoid: &Humanoid| humanoid.legs.each_ref().map(|leg| leg.thigh);
+        let across = match source.legs {
+            Some(_) => [source.lowest_limbs(), target.lowest_limbs()],
+            None => [source, target].map(|body| body.arms.each_ref().map(|arm| arm.upper)),
+        };
         let next = source.spine.first().unwrap_or(&source.head);
         let target_next = target.spine.first().unwrap_or(&target.head);
-        self.of_trunk(
-            [source.hips, target.hips],
-            [thighs(source), thighs(target)],
-            [*next, *target_next],
-        )
+        self.of_trunk([source.hips, target.hips], across, [*next, *target_next])
     }
 
     /// The chest, from the arms that leave it and the trunk.

@@ -6,7 +6,7 @@
 //! on average during the contact, corrections fade from one contact to the next, hips sink where a
 //! leg would be too short, and the knee is bent to suit.
 
-use super::{humanoid::Humanoid, legs::bend, tree::positions, window::smooth};
+use super::{humanoid::Leg, legs::bend, tree::positions, window::smooth};
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DAffine3, DVec3};
 use std::ops::Range;
@@ -98,9 +98,9 @@ const BALL: f64 = 0.03;
 
 impl Soles {
     /// The soles of an avatar.
-    pub fn new(skeleton: &Skeleton, body: &Humanoid) -> Self {
+    pub fn new(skeleton: &Skeleton, legs: &[Leg; 2]) -> Self {
         let rest = |joint: usize| DVec3::from(skeleton.rest[joint].map(f64::from));
-        let feet = body.legs.each_ref().map(|leg| {
+        let feet = legs.each_ref().map(|leg| {
             let ball = leg.toe.unwrap_or(leg.foot);
             let height = rest(ball).y;
             let floor = if (0.0..HIGHEST_BALL).contains(&height) {
@@ -135,8 +135,8 @@ impl Soles {
 
 /// Moves all poses by one height, so that soles touch y = 0 in all but the deepest twentieth of the
 /// frames.
-pub fn stand(skeleton: &Skeleton, body: &Humanoid, poses: &mut [Pose]) {
-    let soles = Soles::new(skeleton, body);
+pub fn stand(skeleton: &Skeleton, legs: &[Leg; 2], poses: &mut [Pose]) {
+    let soles = Soles::new(skeleton, legs);
     let ground = low(poses.iter().map(|pose| {
         let joints = skeleton.joints(pose);
         soles.lowest(0, &joints).min(soles.lowest(1, &joints))
@@ -150,7 +150,7 @@ pub fn stand(skeleton: &Skeleton, body: &Humanoid, poses: &mut [Pose]) {
 /// frames a second.
 pub fn place(
     skeleton: &Skeleton,
-    body: &Humanoid,
+    body: &[Leg; 2],
     poses: &mut [Pose],
     contacts: &[Vec<Range<usize>>; 2],
     rate: f64,
@@ -181,7 +181,7 @@ pub fn place(
     let drops = smooth(&drops, (SMOOTH * rate) as usize, |drop| drop);
     for ((pose, legs), drop) in poses.iter_mut().zip(&legs).zip(drops) {
         pose.translation.y -= ground + drop;
-        for (leg, own) in body.legs.iter().zip(legs) {
+        for (leg, own) in body.iter().zip(legs) {
             bend(skeleton, pose, leg, own.ankle);
         }
     }
@@ -202,11 +202,11 @@ struct LegFrame {
 }
 
 impl LegFrame {
-    fn both(skeleton: &Skeleton, body: &Humanoid, soles: &Soles, pose: &Pose) -> [Self; 2] {
+    fn both(skeleton: &Skeleton, body: &[Leg; 2], soles: &Soles, pose: &Pose) -> [Self; 2] {
         let joints = skeleton.joints(pose);
         let at = positions(&joints);
         [0, 1].map(|foot| {
-            let leg = &body.legs[foot];
+            let leg = &body[foot];
             let [hip, knee, ankle] = [leg.thigh, leg.shin, leg.foot].map(|joint| at[joint]);
             Self {
                 hip,

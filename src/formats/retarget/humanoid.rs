@@ -62,8 +62,8 @@ pub struct Humanoid {
     pub eyes: [Option<usize>; 2],
     /// Both arms.
     pub arms: [Arm; 2],
-    /// Both legs.
-    pub legs: [Leg; 2],
+    /// Both legs; None: an upper body alone.
+    pub legs: Option<[Leg; 2]>,
 }
 
 /// A joint's part, as its user says.
@@ -82,18 +82,20 @@ fn joints_of(parts: &[Option<Part>], part: Part) -> impl Iterator<Item = usize> 
 }
 
 impl Humanoid {
-    /// Finds a body. `corrections` go before names, names before the tree's shape.
+    /// Finds a body. `corrections` go before names, names before the tree's shape; a body with legs
+    /// goes before one without.
     ///
     /// # Errors
-    /// When no two legs, two arms and a head are found, or a correction names no part or joint.
+    /// When no two arms and a head are found, or a correction names no part or joint.
     pub fn find(tree: &Tree, corrections: &[Correction]) -> Result<Self, FormatError> {
         let mut parts = names::parts(&tree.names);
         let mut found = Self::of_parts(tree, &parts);
-        if found.is_none()
+        if found.as_ref().is_none_or(|body| body.legs.is_none())
             && let Some(by_shape) = shape::parts(tree)
+            && let Some(body) = Self::of_parts(tree, &by_shape)
         {
             parts = by_shape;
-            found = Self::of_parts(tree, &parts);
+            found = Some(body);
         }
         if !corrections.is_empty() {
             for correction in corrections {
@@ -114,9 +116,12 @@ impl Humanoid {
                     excerpt(&names.join(", "))
                 ),
                 if missing.is_empty() {
-                    "legs and arms whose joints follow each other".into()
+                    "a head above two arms whose joints follow each other".into()
                 } else {
-                    format!("also {}: say which joint each is", missing.join(", "))
+                    format!(
+                        "two arms and a head, of which {} were not found: say which joint each is",
+                        missing.join(", ")
+                    )
                 },
             )
         })
@@ -124,7 +129,7 @@ impl Humanoid {
 
     fn of_parts(tree: &Tree, parts: &[Option<Part>]) -> Option<Self> {
         let [left_leg, right_leg] = Side::ALL.map(|side| leg(tree, parts, side));
-        let legs = [left_leg?, right_leg?];
+        let legs = left_leg.zip(right_leg).map(|(left, right)| [left, right]);
         let [left_arm, right_arm] = Side::ALL.map(|side| arm(tree, parts, side));
         let arms = [left_arm?, right_arm?];
         let shoulders = [arms[0].upper, arms[1].upper];
@@ -133,7 +138,10 @@ impl Humanoid {
         while parts[chest] == Some(Part::Neck) {
             chest = tree.parents[chest]?;
         }
-        let hips = tree.fork(&[legs[0].thigh, legs[1].thigh, chest])?;
+        let hips = match &legs {
+            Some([left, right]) => tree.fork(&[left.thigh, right.thigh, chest])?,
+            None => lowest_of_trunk(tree, parts, chest),
+        };
         // A head that is not above the arms belongs to somebody else.
         let head = joints_of(parts, Part::Head).find(|&head| tree.is_above(chest, head))?;
         // Jaw and eyes may be another person's too.
@@ -162,16 +170,45 @@ impl Humanoid {
         self.neck.first().copied().unwrap_or(self.head)
     }
 
-    /// Half way between the hip joints. `at`: where joints are.
+    /// Both legs, or none.
+    pub fn legs(&self) -> &[Leg] {
+        self.legs.as_ref().map_or(&[], |legs| legs)
+    }
+
+    /// The joints at which both legs begin; without legs, both arms.
+    pub fn lowest_limbs(&self) -> [usize; 2] {
+        match &self.legs {
+            Some(legs) => legs.each_ref().map(|leg| leg.thigh),
+            None => self.arms.each_ref().map(|arm| arm.upper),
+        }
+    }
+
+    /// Half way between the hip joints; the hips of a body without legs. `at`: where joints are.
     pub fn middle_of_hips(&self, at: &[DVec3]) -> DVec3 {
-        (at[self.legs[0].thigh] + at[self.legs[1].thigh]) / 2.0
+        match &self.legs {
+            Some([left, right]) => (at[left.thigh] + at[right.thigh]) / 2.0,
+            None => at[self.hips],
+        }
+    }
+
+    /// Half way between the ankles. `at`: where joints are.
+    pub fn middle_of_feet(&self, at: &[DVec3]) -> Option<DVec3> {
+        let [left, right] = self.legs.as_ref()?;
+        Some((at[left.foot] + at[right.foot]) / 2.0)
     }
 
     /// Lengths of thigh and shin together, the mean of both sides. `at`: where joints are.
-    pub fn leg_length(&self, at: &[DVec3]) -> f64 {
-        let leg =
-            |leg: &Leg| at[leg.thigh].distance(at[leg.shin]) + at[leg.shin].distance(at[leg.foot]);
-        (leg(&self.legs[0]) + leg(&self.legs[1])) / 2.0
+    pub fn leg_length(&self, at: &[DVec3]) -> Option<f64> {
+        let [left, right] = self.legs.as_ref()?.each_ref();
+        let length = |leg: &Leg| way(at, [leg.thigh, leg.shin, leg.foot]);
+        Some((length(left) + length(right)) / 2.0)
+    }
+
+    /// Lengths of upper arm and forearm together, the mean of both sides. `at`: where joints are.
+    pub fn arm_length(&self, at: &[DVec3]) -> f64 {
+        let [left, right] = self.arms.each_ref();
+        let length = |arm: &Arm| way(at, [arm.upper, arm.forearm, arm.hand]);
+        (length(left) + length(right)) / 2.0
     }
 
     /// Each part that was found and its joint, for people.
@@ -195,16 +232,17 @@ impl Humanoid {
                 add(part.to_string(), joint);
             }
         }
-        for (side, (arm, leg)) in Side::ALL.into_iter().zip(self.arms.iter().zip(&self.legs)) {
+        for (at, (side, arm)) in Side::ALL.into_iter().zip(&self.arms).enumerate() {
+            let leg = self.legs().get(at);
             let bones = [
                 (Bone::Clavicle, arm.clavicle),
                 (Bone::UpperArm, Some(arm.upper)),
                 (Bone::Forearm, Some(arm.forearm)),
                 (Bone::Hand, Some(arm.hand)),
-                (Bone::Thigh, Some(leg.thigh)),
-                (Bone::Shin, Some(leg.shin)),
-                (Bone::Foot, Some(leg.foot)),
-                (Bone::Toe, leg.toe),
+                (Bone::Thigh, leg.map(|leg| leg.thigh)),
+                (Bone::Shin, leg.map(|leg| leg.shin)),
+                (Bone::Foot, leg.map(|leg| leg.foot)),
+                (Bone::Toe, leg.and_then(|leg| leg.toe)),
             ];
             for (bone, joint) in bones {
                 if let Some(joint) = joint {
@@ -224,6 +262,11 @@ impl Humanoid {
     }
 }
 
+/// From a joint to a second one and on to a third.
+fn way(at: &[DVec3], [a, b, c]: [usize; 3]) -> f64 {
+    at[a].distance(at[b]) + at[b].distance(at[c])
+}
+
 /// A part and its joint's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedPart<'a> {
@@ -235,10 +278,8 @@ pub struct NamedPart<'a> {
 
 /// The parts without which no body is found.
 fn essential() -> impl Iterator<Item = Part> {
-    let bones = Bone::ALL
+    [Bone::UpperArm, Bone::Forearm, Bone::Hand]
         .into_iter()
-        .filter(|bone| !matches!(bone, Bone::Clavicle | Bone::Toe));
-    bones
         .flat_map(|bone| Side::ALL.map(|side| Part::Bone { side, bone }))
         .chain([Part::Head])
 }
@@ -279,6 +320,14 @@ fn bone_above(
     let part = Some(Part::Bone { side, bone });
     let mut above = tree.chain_up(below).skip(1);
     above.find(|&joint| parts[joint] == part)
+}
+
+/// The lower end of a trunk without legs: what is named so, else the root.
+fn lowest_of_trunk(tree: &Tree, parts: &[Option<Part>], chest: usize) -> usize {
+    let named = |joint: &usize| parts[*joint] == Some(Part::Hips);
+    let hips = tree.chain_up(chest).find(named);
+    hips.or_else(|| tree.chain_up(chest).last())
+        .unwrap_or(chest)
 }
 
 fn arm(tree: &Tree, parts: &[Option<Part>], side: Side) -> Option<Arm> {

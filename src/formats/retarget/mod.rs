@@ -2,13 +2,14 @@
 //!
 //! 1. `humanoid` finds hips, spine, limbs and head in both skeletons, by names (`names`) or by the
 //!    tree's shape (`shape`).
-//! 2. `upright` turns the file's axes, and `align` finds how its joints stand when the avatar is in
+//! 2. `standing` finds the axis that points up, `upright` turns the file's axes, and `align` finds how its joints stand when the avatar is in
 //!    its rest pose.
 //! 3. `transfer` gives each joint of the avatar the rotation of its counterpart; legs' lengths are
 //!    the scale.
 //! 4. `feet` holds standing feet in place and soles above the ground.
 //! 5. `arms` turns arms out of the trunk, whose thickness `girth` measures.
-//! 6. `report` measures what is left between the two.
+//! 6. `report` measures what is left between the two, along the limbs that `moving` finds in the motion
+//!    alone.
 
 mod align;
 mod arms;
@@ -17,10 +18,12 @@ mod feet;
 mod girth;
 mod humanoid;
 mod legs;
+mod moving;
 mod names;
 mod part;
 mod report;
 mod shape;
+mod standing;
 mod transfer;
 mod tree;
 mod turn;
@@ -34,7 +37,7 @@ pub use report::{ArmsInside, JointGuess, Report, Spread};
 pub use turn::shorter;
 pub use upright::Unit;
 
-use crate::capture::Capture;
+use crate::{assumption::Assumption, capture::Capture};
 use align::{Alignment, Bodies};
 use arms::{Body, Depths};
 use effigy_core::{
@@ -43,7 +46,7 @@ use effigy_core::{
 };
 use feet::Track;
 use glam::{DAffine3, DVec3};
-use humanoid::{Humanoid, NamedPart};
+use humanoid::{Humanoid, Leg, NamedPart};
 use report::Compared;
 use std::ops::Range;
 use transfer::Transfer;
@@ -80,6 +83,8 @@ pub struct Retargeted {
     pub clip: Clip,
     /// What was found and measured.
     pub report: Report,
+    /// What the capture leaves open.
+    pub assumptions: Vec<Assumption>,
 }
 
 /// Makes a clip of a capture for a skeleton, whose rest pose stands upright, y up, and faces +z.
@@ -100,10 +105,11 @@ pub fn retarget(
     let count = matched.count(capture.duration(), rate)?;
     let mut poses: Vec<Pose> = Vec::with_capacity(count);
     let way = matched.way(count, rate, |joints| poses.push(transfer.pose(joints)));
-    if options.keep_feet {
-        feet::stand(skeleton, target, &mut poses);
+    let legs = &matched.target_legs;
+    if options.keep_feet || source.legs.is_none() {
+        feet::stand(skeleton, legs, &mut poses);
     } else {
-        feet::place(skeleton, target, &mut poses, &way.contacts, rate);
+        feet::place(skeleton, legs, &mut poses, &way.contacts, rate);
     }
     let girth = options.girth.as_ref();
     let arms = girth.map(|girth| {
@@ -119,6 +125,7 @@ pub fn retarget(
     Ok(Retargeted {
         clip: clip(capture, skeleton, name, rate, &poses),
         report: matched.report(&poses, &way, transfer.driven(), arms),
+        assumptions: matched.assumptions,
     })
 }
 
@@ -154,12 +161,16 @@ struct Match<'a> {
     tree: Tree,
     source: Humanoid,
     target: Humanoid,
+    target_legs: [Leg; 2],
     upright: Upright<'a>,
     alignment: Alignment,
-    /// Length of the capture's legs, the file's unit.
+    /// Length of the capture's legs, as its arms show it where it has none; the file's unit.
     leg: f64,
     /// Metres of the avatar a unit of the file.
     scale: f64,
+    /// The capture's limbs as its motion shows them.
+    limbs: Vec<moving::Joints>,
+    assumptions: Vec<Assumption>,
 }
 
 /// What a capture does, frame by frame.
@@ -181,14 +192,17 @@ impl<'a> Match<'a> {
         let tree = Tree::of_capture(capture);
         let target_tree = Tree::of_skeleton(skeleton);
         let source = Humanoid::find(&tree, corrections)?;
-        let target = Humanoid::find(&target_tree, &[]).map_err(|_| {
+        let target = Humanoid::find(&target_tree, &[]).ok();
+        let whole = target.and_then(|target| Some((target.legs.clone()?, target)));
+        let (target_legs, target) = whole.ok_or_else(|| {
             FormatError::container(
                 format!("an avatar of {} joints without a body", target_tree.len()),
                 "one with arms, legs and a head, to be moved by motion of another body",
             )
         })?;
-        let up = upright::up_axis(capture, &source);
-        let upright = Upright::new(capture, up);
+        let up = standing::up_axis(capture, &source);
+        let mut assumptions = Vec::from_iter(up.assumption);
+        let upright = Upright::new(capture, up.axis);
         let bodies = Bodies {
             tree: &tree,
             source: &source,
@@ -196,23 +210,36 @@ impl<'a> Match<'a> {
             target: &target,
         };
         let alignment = Alignment::new(&bodies, &upright);
-        let own_leg = target.leg_length(&target_tree.rest);
-        let leg = source.leg_length(&positions(&upright.world(0)));
+        let first = positions(&upright.world(0));
+        let own_leg = target.leg_length(&target_tree.rest).unwrap_or_default();
+        let leg = source.leg_length(&first).unwrap_or_else(|| {
+            assumptions.push(Assumption {
+                what: "legs",
+                taken: "at rest".into(),
+                because: "no thigh, shin and foot of both sides were found".into(),
+            });
+            own_leg * source.arm_length(&first) / target.arm_length(&target_tree.rest)
+        });
         if !(PLAUSIBLE.contains(&leg) && PLAUSIBLE.contains(&(own_leg / leg))) {
             return Err(FormatError::container(
                 format!("legs {leg} units long, the avatar's {own_leg} m"),
                 "units from a tenth of a millimetre to kilometres",
             ));
         }
+        let limbs = moving::limbs(&tree, &source, &upright);
+        assumptions.extend(limbs.doubts);
         Ok(Self {
             skeleton,
             tree,
             source,
             target,
+            target_legs,
             upright,
             alignment,
             leg,
             scale: own_leg / leg,
+            limbs: limbs.joints,
+            assumptions,
         })
     }
 
@@ -265,7 +292,9 @@ impl<'a> Match<'a> {
             source: &self.source,
             world: &way.world,
             skeleton: self.skeleton,
+            limbs: &self.limbs,
             target: &self.target,
+            target_legs: &self.target_legs,
             poses,
             contacts: &way.contacts,
             tracks: &way.tracks,
@@ -305,14 +334,16 @@ impl<'a> Match<'a> {
     }
 }
 
-/// The ways of both feet, metres of the avatar.
+/// The ways of both feet, metres of the avatar; none where there are no legs.
 fn tracks(tree: &Tree, source: &Humanoid, world: &[Vec<DVec3>]) -> [Track; 2] {
     let children = tree.children();
-    source.legs.each_ref().map(|leg| {
-        let ball = leg.ball(&children);
-        let ball = ball.unwrap_or(leg.foot);
+    [0, 1].map(|side| {
+        let ball = source.legs().get(side).map(|leg| {
+            let ball = leg.ball(&children).unwrap_or(leg.foot);
+            world.iter().map(|at| at[ball]).collect()
+        });
         Track {
-            ball: world.iter().map(|at| at[ball]).collect(),
+            ball: ball.unwrap_or_default(),
         }
     })
 }

@@ -1,6 +1,6 @@
 //! Names of joints in the rigs that are in use: CMU's and MotionBuilder's, Mixamo, LaFAN1, Perception
 //! Neuron, Poser and Daz, Xsens, Rokoko, OptiTrack, Unreal, 3ds Max's Biped, Rigify, VRM, SMPL,
-//! Bandai-Namco's.
+//! Bandai-Namco's, MikuMikuDance's in Japanese.
 //!
 //! They say the side in a word or a letter, before or after, and differ in what they call a bone: by
 //! the bone itself, or by the joint that it begins at. Two words mean different bones in different
@@ -168,10 +168,51 @@ pub fn parts(names: &[String]) -> Vec<Option<Part>> {
             .iter()
             .any(|word| word.side == side && candidates(&word.core) == [bone])
     };
-    words
-        .iter()
-        .map(|word| part(word, &|bone| has(word.side, bone)))
-        .collect()
+    let parts = words.iter().zip(names).map(|(word, name)| {
+        part(word, &|bone| has(word.side, bone)).or_else(|| japanese_part(name.trim()))
+    });
+    parts.collect()
+}
+
+/// What MikuMikuDance calls a bone, without its side.
+fn japanese(core: &str) -> Option<Bone> {
+    Some(match core {
+        "肩" => Bone::Clavicle,
+        "腕" => Bone::UpperArm,
+        "ひじ" | "肘" => Bone::Forearm,
+        "手首" => Bone::Hand,
+        "足" => Bone::Thigh,
+        "ひざ" | "膝" => Bone::Shin,
+        "足首" => Bone::Foot,
+        "つま先" | "爪先" | "足先EX" | "足先ex" => Bone::Toe,
+        _ => return None,
+    })
+}
+
+/// The part that a name of MikuMikuDance says.
+fn japanese_part(name: &str) -> Option<Part> {
+    let sides = [('左', Side::Left), ('右', Side::Right)];
+    let sided = sides.into_iter().find_map(|(letter, side)| {
+        let core = name.strip_prefix(letter)?;
+        Some((side, core))
+    });
+    let Some((side, core)) = sided else {
+        return match name {
+            "下半身" | "センター" => Some(Part::Hips),
+            "首" => Some(Part::Neck),
+            "頭" => Some(Part::Head),
+            _ => None,
+        };
+    };
+    if let Some(bone) = japanese(core) {
+        return Some(Part::Bone { side, bone });
+    }
+    let fingers = ["親指", "人指", "中指", "薬指", "小指"];
+    let finger = fingers.iter().position(|finger| core.starts_with(finger));
+    match finger {
+        Some(finger) => Some(Part::Finger { side, finger }),
+        None => (core == "目").then_some(Part::Eye(side)),
+    }
 }
 
 /// The part that a name says. `has`: whether a name of the same side says a bone and no other.

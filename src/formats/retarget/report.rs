@@ -3,7 +3,8 @@
 use super::{
     align::Basis,
     feet::{Soles, Track},
-    humanoid::Humanoid,
+    humanoid::{Humanoid, Leg},
+    moving::Joints,
     tree,
     upright::Unit,
 };
@@ -74,7 +75,8 @@ pub struct Report {
     pub hips: Spread,
     /// Between positions of elbows, wrists, knees, ankles and head, each from the hips, metres.
     pub positions: Spread,
-    /// Between the directions of upper arms, forearms, thighs and shins, degrees.
+    /// Between the directions of upper arms, forearms, thighs and shins, degrees. The capture's are
+    /// those that its motion shows, whatever was taken for them.
     pub directions: Spread,
     /// Contacts of both feet with the ground.
     pub contacts: usize,
@@ -113,12 +115,16 @@ pub struct JointGuess {
 pub struct Compared<'a> {
     /// The capture's body.
     pub source: &'a Humanoid,
+    /// Its limbs as its motion shows them.
+    pub limbs: &'a [Joints],
     /// Its joints, metres of the avatar and y up, a list a frame.
     pub world: &'a [Vec<DVec3>],
     /// The avatar.
     pub skeleton: &'a Skeleton,
     /// Its body.
     pub target: &'a Humanoid,
+    /// Its legs.
+    pub target_legs: &'a [Leg; 2],
     /// Its poses.
     pub poses: &'a [Pose],
     /// Where each foot stands.
@@ -151,47 +157,33 @@ struct Pair {
     target: [usize; 2],
 }
 
-fn bones(source: &Humanoid, target: &Humanoid) -> Vec<Pair> {
-    let arms = source.arms.iter().zip(&target.arms);
-    let legs = source.legs.iter().zip(&target.legs);
-    let arms = arms.flat_map(|(own, theirs)| {
-        [
-            Pair {
-                source: [own.upper, own.forearm],
-                target: [theirs.upper, theirs.forearm],
-            },
-            Pair {
-                source: [own.forearm, own.hand],
-                target: [theirs.forearm, theirs.hand],
-            },
-        ]
+/// The long bones of the capture's limbs and of the avatar's.
+fn bones(source: &[Joints], target: &Humanoid) -> Vec<Pair> {
+    let arms = target.arms.iter();
+    let arms = arms.map(|arm| [arm.upper, arm.forearm, arm.hand]);
+    let legs = target.legs().iter();
+    let legs = legs.map(|leg| [leg.thigh, leg.shin, leg.foot]);
+    let limbs = source.iter().zip(arms.chain(legs));
+    let bones = limbs.flat_map(|(source, target)| {
+        [0, 1].map(|at| Pair {
+            source: [source[at], source[at + 1]],
+            target: [target[at], target[at + 1]],
+        })
     });
-    let legs = legs.flat_map(|(own, theirs)| {
-        [
-            Pair {
-                source: [own.thigh, own.shin],
-                target: [theirs.thigh, theirs.shin],
-            },
-            Pair {
-                source: [own.shin, own.foot],
-                target: [theirs.shin, theirs.foot],
-            },
-        ]
-    });
-    arms.chain(legs).collect()
+    bones.collect()
 }
 
-/// Height of the lower ankle.
-fn low_ankle(humanoid: &Humanoid, at: &[DVec3]) -> f64 {
-    let [left, right] = humanoid.legs.each_ref().map(|leg| at[leg.foot].y);
-    left.min(right)
+/// Height of the hips over the lower ankle: soles are of different heights. None: no legs.
+fn hips_height(humanoid: &Humanoid, at: &[DVec3]) -> Option<f64> {
+    let [left, right] = humanoid.legs.as_ref()?.each_ref().map(|leg| at[leg.foot].y);
+    Some(humanoid.middle_of_hips(at).y - left.min(right))
 }
 
 impl Compared<'_> {
     /// Compares them.
     pub fn differences(&self) -> Differences {
-        let soles = Soles::new(self.skeleton, self.target);
-        let bones = bones(self.source, self.target);
+        let soles = Soles::new(self.skeleton, self.target_legs);
+        let bones = bones(self.limbs, self.target);
         let mut hips = Sum::default();
         let mut positions = Sum::default();
         let mut directions = Sum::default();
@@ -200,11 +192,10 @@ impl Compared<'_> {
         for (pose, theirs) in self.poses.iter().zip(self.world) {
             let joints = self.skeleton.joints(pose);
             let own = tree::positions(&joints);
-            // Over the lowest ankle: soles are of different heights.
-            let height = |humanoid: &Humanoid, at: &[DVec3]| {
-                humanoid.middle_of_hips(at).y - low_ankle(humanoid, at)
-            };
-            hips.add((height(self.target, &own) - height(self.source, theirs)).abs());
+            let heights = hips_height(self.target, &own).zip(hips_height(self.source, theirs));
+            if let Some((own, theirs)) = heights {
+                hips.add((own - theirs).abs());
+            }
             let from_hips = |humanoid: &Humanoid, at: &[DVec3], joint: usize| {
                 at[joint] - humanoid.middle_of_hips(at)
             };

@@ -167,18 +167,16 @@ impl<'a> Shape<'a> {
     }
 }
 
-/// The joints of a limb from its two long bones on, which are the last ones that are long: hands and
-/// feet are short, collar bones need not be.
+/// The joints of a limb from its two long bones on, which are longer together than any other two that
+/// follow each other: a collar bone, a hand or a foot may be more than half as long as one of them.
 fn long_bones(tree: &Tree, chain: &[usize]) -> Vec<usize> {
-    let bones: Vec<f64> = chain[1..]
-        .iter()
-        .map(|&joint| length(tree, joint))
-        .collect();
-    let longest = bones.iter().copied().fold(0.0, f64::max);
-    let last = bones.iter().rposition(|bone| *bone > 0.5 * longest);
-    let first = last.unwrap_or(0).saturating_sub(1);
-    let joints = chain[first..].iter().copied();
-    joints.take(4).collect()
+    let bones = chain
+        .windows(3)
+        .map(|of| length(tree, of[1]) + length(tree, of[2]));
+    // Of equal ones the first: what follows may be the end of a chain.
+    let longest = bones.enumerate().rev().max_by(|a, b| a.1.total_cmp(&b.1));
+    let first = longest.map_or(0, |(at, _)| at);
+    chain[first..].iter().copied().take(4).collect()
 }
 
 /// Which of two legs is the left one: feet point forward.

@@ -164,7 +164,7 @@ fn drives(skeleton: &Skeleton, source: &Humanoid, target: &Humanoid) -> Vec<Driv
             }
         }
     }
-    for (own, theirs) in target.legs.iter().zip(&source.legs) {
+    for (own, theirs) in target.legs().iter().zip(source.legs()) {
         pair(Some(own.thigh), Some(theirs.thigh));
         pair(Some(own.shin), Some(theirs.shin));
         pair(Some(own.foot), Some(theirs.foot));

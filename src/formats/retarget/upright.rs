@@ -13,10 +13,10 @@ pub fn spread(frames: usize) -> impl Iterator<Item = usize> + Clone {
     (0..count).map(move |at| at * frames / count)
 }
 
-/// From the feet to the head.
+/// From between the feet to the head; without legs, from the hips.
 fn feet_to_head(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
-    let feet: DVec3 = humanoid.legs.iter().map(|leg| at[leg.foot]).sum();
-    at[humanoid.head] - feet / 2.0
+    let feet = humanoid.middle_of_feet(at);
+    at[humanoid.head] - feet.unwrap_or(at[humanoid.hips])
 }
 
 /// Whether joints stand as a body does: feet under knees under hips under the head.
@@ -26,47 +26,29 @@ fn stands(humanoid: &Humanoid, at: &[DVec3], up: DVec3) -> bool {
     let higher = |a: usize, b: usize, share: f64| (at[a] - at[b]).dot(up) > share * height;
     height > 0.7 * feet_to_head.length()
         && higher(humanoid.head, humanoid.chest(), 0.05)
-        && humanoid.legs.iter().all(|leg| {
+        && humanoid.legs().iter().all(|leg| {
             higher(leg.thigh, leg.shin, 0.12)
                 && higher(leg.shin, leg.foot, 0.12)
                 && higher(humanoid.head, leg.thigh, 0.3)
         })
 }
 
-/// The axes of a file, either way.
-fn axes() -> impl Iterator<Item = DVec3> + Clone {
-    DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis])
-}
+/// The axes of a file, either way: an axis is next to its opposite.
+pub const AXES: [DVec3; 6] = [
+    DVec3::X,
+    DVec3::NEG_X,
+    DVec3::Y,
+    DVec3::NEG_Y,
+    DVec3::Z,
+    DVec3::NEG_Z,
+];
 
 /// The axis along which the rest pose stands, which need not be the motion's: SMPL rests with y up
 /// whatever its motion does. None: it does not stand.
 pub fn rest_up(capture: &Capture, humanoid: &Humanoid, motion: DVec3) -> Option<DVec3> {
     let rest = positions(&capture.rest());
-    let mut either = [motion].into_iter().chain(axes());
+    let mut either = [motion].into_iter().chain(AXES);
     either.find(|up| stands(humanoid, &rest, *up))
-}
-
-/// The axis of the file that points up: the one that most frames stand along.
-pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> DVec3 {
-    if let Some(up) = capture.up {
-        return up;
-    }
-    // Most files stand in their rest pose, and lie or tumble in some frames at most.
-    if !capture.model_rest
-        && let Some(up) = rest_up(capture, humanoid, DVec3::Y)
-    {
-        return up;
-    }
-    let frames: DVec3 = spread(capture.frames())
-        .map(|frame| {
-            let at = positions(&capture.world(frame));
-            feet_to_head(humanoid, &at).normalize_or_zero()
-        })
-        .sum();
-    let along = |axis: &DVec3| frames.dot(*axis);
-    axes()
-        .max_by(|a, b| along(a).total_cmp(&along(b)))
-        .unwrap_or(DVec3::Y)
 }
 
 /// Turns a file's axes so that +y points up, and as little as possible.

@@ -1,28 +1,90 @@
 //! Arrays with names, of an archive or of a pickle's dictionary.
 
 use crate::{
-    npz::Npz,
+    npz::{self, Array, Npz},
     pickle::{Numbers, Value},
 };
-use effigy_core::io::file::FormatError;
+use effigy_core::io::file::{FormatError, excerpt};
+
+/// Bytes that any archive may unpack to: what a small one of a motion would be takes much more
+/// memory as a capture.
+pub const SMALL: u64 = 8 << 20;
+/// Arrays of an archive that an error names.
+const NAMED: usize = 12;
 
 /// Arrays with names.
 pub enum Fields<'p> {
-    Archive(Npz),
+    Archive {
+        arrays: Npz,
+        /// The file.
+        bytes: &'p [u8],
+    },
     Dictionary(Value<'p>),
+}
+
+/// The arrays of an archive and their shapes, for messages.
+pub fn describe_archive(bytes: &[u8]) -> String {
+    let names = npz::names(bytes).unwrap_or_default();
+    let mut members = npz::members(bytes, SMALL, |_| true).unwrap_or_default();
+    let shown = names.iter().take(NAMED).map(|name| {
+        let member = members.remove(name);
+        let array = member.and_then(|member| Array::from_npy(name, member).ok());
+        match array {
+            Some(array) => format!("{} {:?}", excerpt(name), array.shape()),
+            None => excerpt(name),
+        }
+    });
+    let shown: Vec<String> = shown.collect();
+    format!("{} arrays: {}", names.len(), shown.join(", "))
 }
 
 /// Rows of numbers.
 #[derive(Clone, Debug)]
 pub struct Table {
     pub width: usize,
-    /// Shape: rows, width.
+    /// Shape: people, rows, width.
     pub numbers: Vec<f32>,
+    /// More than one: each has as many rows.
+    pub people: usize,
 }
 
 impl Table {
+    /// Rows of the last dimensions of an array, `last` of them with `width` numbers in all. Of those
+    /// before, the last but ones of 1 counts frames.
+    fn new(array: Numbers, last: usize, width: usize) -> Self {
+        let before = &array.shape[..array.shape.len() - last];
+        let mut sizes = before.iter().filter(|size| **size != 1);
+        sizes.next_back();
+        Self {
+            width,
+            people: sizes.product(),
+            numbers: array.numbers,
+        }
+    }
+
     pub fn rows(&self) -> usize {
         self.numbers.len() / self.width
+    }
+
+    /// The rows of one of its people; the whole of a table that has one.
+    pub fn of_person(&self, person: usize) -> Self {
+        let each = self.numbers.len() / self.people;
+        let start = if self.people == 1 { 0 } else { person * each };
+        Self {
+            width: self.width,
+            numbers: self.numbers[start..][..each].to_vec(),
+            people: 1,
+        }
+    }
+
+    /// The first columns of every row.
+    pub fn first(&self, columns: usize) -> Self {
+        let rows = self.numbers.chunks_exact(self.width);
+        Self {
+            width: columns,
+            numbers: rows.flat_map(|row| &row[..columns]).copied().collect(),
+            people: self.people,
+        }
     }
 
     /// A row; of a table of a single row, that one.
@@ -35,7 +97,7 @@ impl Table {
 impl Fields<'_> {
     pub fn has(&self, name: &str) -> bool {
         match self {
-            Self::Archive(npz) => npz.has(name),
+            Self::Archive { arrays, .. } => arrays.has(name),
             Self::Dictionary(value) => value.get(name).is_some(),
         }
     }
@@ -43,10 +105,7 @@ impl Fields<'_> {
     /// What there is, for messages.
     pub fn describe(&self) -> String {
         match self {
-            Self::Archive(npz) => {
-                let names: Vec<&str> = npz.names().collect();
-                format!("arrays {}", names.join(", "))
-            }
+            Self::Archive { bytes, .. } => describe_archive(bytes),
             Self::Dictionary(value) => value.describe(),
         }
     }
@@ -56,8 +115,8 @@ impl Fields<'_> {
             return Ok(None);
         }
         match self {
-            Self::Archive(npz) => {
-                let array = npz.take(name)?;
+            Self::Archive { arrays, .. } => {
+                let array = arrays.take(name)?;
                 Ok(Some(Numbers {
                     shape: array.shape().to_vec(),
                     numbers: array.floats()?,
@@ -81,9 +140,12 @@ impl Fields<'_> {
         Ok(self.numbers(name)?.map(|array| array.numbers))
     }
 
-    /// An array as rows of its last dimension, of at most some numbers; None where there is no such
-    /// array, or it is empty.
-    pub fn rows(&mut self, name: &str, max: usize) -> Result<Option<Table>, FormatError> {
+    /// The first array of some names as rows of its last dimension, of at most some numbers; None
+    /// where there is no such array, or it is empty.
+    pub fn rows(&mut self, names: &[&str], max: usize) -> Result<Option<Table>, FormatError> {
+        let Some(name) = self.find(names) else {
+            return Ok(None);
+        };
         let Some(array) = self.numbers(name)? else {
             return Ok(None);
         };
@@ -98,15 +160,24 @@ impl Fields<'_> {
                 format!("rows of at most {max} numbers"),
             ));
         }
-        Ok(Some(Table {
-            width,
-            numbers: array.numbers,
-        }))
+        Ok(Some(Table::new(array, 1, width)))
     }
 
-    /// An array as rows that have one of some widths, its last dimensions; None where there is no
-    /// such array.
-    pub fn table(&mut self, name: &str, widths: &[usize]) -> Result<Option<Table>, FormatError> {
+    /// The first of some names that there is an array of.
+    pub fn find<'n>(&self, names: &[&'n str]) -> Option<&'n str> {
+        names.iter().copied().find(|name| self.has(name))
+    }
+
+    /// The first array of some names as rows that have one of some widths, its last dimensions; None
+    /// where there is no such array.
+    pub fn table(
+        &mut self,
+        names: &[&str],
+        widths: &[usize],
+    ) -> Result<Option<Table>, FormatError> {
+        let Some(name) = self.find(names) else {
+            return Ok(None);
+        };
         let Some(array) = self.numbers(name)? else {
             return Ok(None);
         };
@@ -115,11 +186,8 @@ impl Fields<'_> {
             width = width.saturating_mul(size);
             width
         });
-        match trailing.find(|width| widths.contains(width)) {
-            Some(width) if !array.numbers.is_empty() => Ok(Some(Table {
-                width,
-                numbers: array.numbers,
-            })),
+        match trailing.position(|width| widths.contains(&width)) {
+            Some(last) if !array.numbers.is_empty() => Ok(Some(Table::new(array, last + 1, width))),
             _ => Err(FormatError::metadata(
                 name,
                 format!("the shape {:?}", array.shape),

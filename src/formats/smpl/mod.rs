@@ -12,6 +12,11 @@
 //! | ROMP | `.npz` of an object | people or frames: `smpl_thetas`, 72; `cam_trans`; seen from the camera |
 //! | 4D-Humans | `demo_*.pkl` of joblib | frames: `tid`; `smpl`: `global_orient` 1, 3, 3; `body_pose` 23, 3, 3; seen from the camera |
 //! | TRAM | `hps_track_*.npy` | `pred_rotmat` T, 24, 3, 3; `pred_trans`; `frame`; seen from the camera |
+//! | HuMoR, SLAHMR | `.npz` | `root_orient` T, 3; `pose_body` T, 63; `trans`; of SLAHMR with people before T |
+//! | VIBE, PARE, CLIFF | `.pkl`, `.npz` | people: `pose` T, 72; `frame_ids`; `global_t`, or no place; seen from the camera |
+//!
+//! Others use the same names; `recognise` lists what each array may be called. Which axis points up is
+//! that of most bodies, unless the format says it.
 //!
 //! Rotations are relative to the parent, in axes of the world at rest; axis-angle in radians but
 //! where matrices are said. SMPL's two hands, 22 and 23, are left out: no other rig has them.
@@ -26,13 +31,13 @@ mod track;
 
 use crate::{
     capture::{CaptureJoint, Captured},
-    npz::{self, Npz},
+    npz::{self, Array, Npz},
     pickle::Pickle,
     zip_file::is_zip,
 };
 use body::Family;
-use effigy_core::io::file::{FormatError, excerpt};
-use fields::Fields;
+use effigy_core::io::file::FormatError;
+use fields::{Fields, SMALL, describe_archive};
 
 /// What a file leaves open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,9 +48,6 @@ pub struct Options {
     pub person: usize,
 }
 
-/// Bytes that any archive may unpack to: what a small one of a motion would be takes much more
-/// memory as a capture.
-const SMALL: u64 = 8 << 20;
 /// The joints of SMPL-X in a T-pose of an average body: metres, x to the person's left, y up, z
 /// forward. They serve directions and scale.
 pub fn average_joints() -> Vec<CaptureJoint> {
@@ -56,13 +58,12 @@ pub fn average_joints() -> Vec<CaptureJoint> {
 const ROMP: [&str; 2] = ["results", "sequence_results"];
 
 /// The error of an archive without poses. Body models have the same ending.
-fn no_motion(names: &[String]) -> FormatError {
+fn no_motion(bytes: &[u8], names: &[String]) -> FormatError {
     let is_body = names.iter().any(|name| name == "v_template");
     let found = if is_body {
         "SMPL's body model, which has a shape and no motion".to_owned()
     } else {
-        let shown: Vec<String> = names.iter().take(8).map(|name| excerpt(name)).collect();
-        format!("{} arrays: {}", names.len(), shown.join(", "))
+        describe_archive(bytes)
     };
     FormatError::container(found, recognise::EXPECTED)
 }
@@ -78,24 +79,27 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
     let mut size = bytes.len();
     let track = if bytes.starts_with(b"\x93NUMPY") {
         let pickle = npz::pickle_of(bytes).ok_or_else(|| {
-            FormatError::container("an array of numbers", "a dictionary that NumPy saved")
+            let array = Array::from_npy("the array", bytes.to_vec());
+            let found = match array {
+                Ok(array) => format!("an array of numbers of the shape {:?}", array.shape()),
+                Err(_) => "an array of something else".into(),
+            };
+            FormatError::container(found, "a dictionary that NumPy saved")
         })?;
         pickled::from_pickle(Pickle::from_bytes(pickle)?.root().inside(), person)?
     } else if is_zip(bytes) {
         let names = npz::names(bytes)?;
-        let has = |known: &[&str]| names.iter().any(|name| known.contains(&&name[..]));
         if names.is_empty() {
             // PyTorch's zips hold no arrays of NumPy's.
             pickled::from_pickle(Pickle::from_bytes(bytes)?.root(), person)?
-        } else if has(&ROMP) {
+        } else if names.iter().any(|name| ROMP.contains(&&name[..])) {
             romp(bytes, person)?
-        } else if has(&recognise::NAMES) {
-            let wanted = |name: &str| recognise::NAMES.contains(&name);
-            let arrays = Npz::some_from_bytes(bytes, SMALL, wanted)?;
+        } else if names.iter().any(|name| recognise::is_asked(name)) {
+            let arrays = Npz::some_from_bytes(bytes, SMALL, recognise::is_asked)?;
             size = size.max(arrays.bytes());
-            recognise::recognise(&mut Fields::Archive(arrays))?
+            recognise::recognise(&mut Fields::Archive { arrays, bytes })?.of_person(person)?
         } else {
-            return Err(no_motion(&names));
+            return Err(no_motion(bytes, &names));
         }
     } else if bytes.starts_with(b"\x78") {
         return Err(FormatError::container(

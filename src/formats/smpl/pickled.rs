@@ -3,11 +3,11 @@
 use super::{
     body::Family,
     fields::{Fields, Table},
-    recognise::{is_motion, recognise},
+    recognise::{is_motion, recognise, rotations},
     timeline::timeline,
-    track::{Anchor, Part, Track},
+    track::{Part, Track, no_such_person},
 };
-use crate::{assumption::Assumption, pickle::Value, smpl_joints::BODY};
+use crate::{assumption::Assumption, capture::UpAxis, pickle::Value, smpl_joints::BODY};
 use effigy_core::io::file::FormatError;
 use glam::DVec3;
 use std::{cmp::Reverse, collections::BTreeMap};
@@ -21,18 +21,51 @@ const AXES: usize = 24 * 3;
 pub fn from_pickle(root: Value, person: usize) -> Result<Track, FormatError> {
     if let Some(global) = root.get("smpl_params_global") {
         let mut track = recognise(&mut Fields::Dictionary(global))?;
-        track.up = Some(DVec3::Y);
+        track.up = UpAxis::Said(DVec3::Y);
         return Ok(track);
     }
-    if is_motion(&Fields::Dictionary(root)) {
-        return recognise(&mut Fields::Dictionary(root));
-    }
     let first = root.values().and_then(|mut values| values.next());
-    match first {
-        Some(first) if first.get("smpl").is_some() => from_tracker(root, person),
-        Some(first) if is_motion(&Fields::Dictionary(first)) => from_people(root, person),
-        _ => recognise(&mut Fields::Dictionary(root)),
+    if first.is_some_and(|first| first.get("smpl").is_some()) {
+        return from_tracker(root, person);
     }
+    let people = motions(root);
+    match &people[..] {
+        [] => recognise(&mut Fields::Dictionary(root)),
+        [only] => recognise(&mut Fields::Dictionary(*only))?.of_person(person),
+        _ => from_people(people, person),
+    }
+}
+
+/// Dictionaries in dictionaries that are looked into, and how many of each depth.
+const DEPTH: usize = 3;
+const LOOKED_INTO: usize = 4096;
+
+/// The dictionaries of motion that are least deep inside one, or itself. Of several of one person,
+/// that which is said to be in the world.
+fn motions(root: Value) -> Vec<Value> {
+    let is_motion = |value: &Value| is_motion(&Fields::Dictionary(*value));
+    let mut level = vec![root];
+    for _ in 0..=DEPTH {
+        if level.iter().any(is_motion) {
+            level.retain(is_motion);
+            return level;
+        }
+        let inner = level.iter().flat_map(|value| {
+            let keys = value.keys().into_iter().flatten();
+            let values = value.values().into_iter().flatten();
+            let in_world = |(key, value): &(Value, Value)| {
+                let named = |key: &str| key.contains("world") || key.contains("global");
+                key.text().is_some_and(named) && is_motion(value)
+            };
+            let entries: Vec<(Value, Value)> = keys.zip(values).take(LOOKED_INTO).collect();
+            match entries.iter().find(|entry| in_world(entry)) {
+                Some((_, world)) => vec![*world],
+                None => entries.into_iter().map(|(_, value)| value).collect(),
+            }
+        });
+        level = inner.take(LOOKED_INTO).collect();
+    }
+    vec![]
 }
 
 /// The motion in what ROMP saves of a picture or a video.
@@ -43,7 +76,7 @@ pub fn from_romp(
 ) -> Result<Track, FormatError> {
     let tracked = people.filter(|people| people.values().is_some_and(|people| people.len() > 0));
     if let Some(people) = tracked {
-        return from_people(people, person);
+        return from_people(people.values().into_iter().flatten().collect(), person);
     }
     let wrong = |found: String| FormatError::metadata("results", found, "smpl_thetas of frames");
     let results = results.ok_or_else(|| wrong("nothing".into()))?;
@@ -59,7 +92,7 @@ pub fn from_romp(
     let mut places = vec![];
     for (number, frame) in frames.into_iter().enumerate() {
         let mut fields = Fields::Dictionary(frame);
-        let Some(poses) = fields.table("smpl_thetas", &[AXES])? else {
+        let Some(poses) = fields.table(&["smpl_thetas"], &[AXES])? else {
             continue;
         };
         if person >= poses.rows() {
@@ -67,7 +100,7 @@ pub fn from_romp(
         }
         let start = person * AXES;
         seen.add(number, &poses.numbers[start..start + AXES])?;
-        let place = fields.table("cam_trans", &[3])?;
+        let place = fields.table(&["cam_trans"], &[3])?;
         let place = place.filter(|place| person < place.rows());
         places.extend(place.map_or([0.0; 3], |place| {
             let row = place.row(person);
@@ -78,6 +111,7 @@ pub fn from_romp(
     track.translation = Some(Table {
         width: 3,
         numbers: places,
+        people: 1,
     });
     track.assumptions.push(Assumption {
         what: "person",
@@ -127,26 +161,23 @@ impl Seen {
         let table = Table {
             width: self.width,
             numbers: self.numbers,
+            people: 1,
+        };
+        let part = Part {
+            table: table.into(),
+            matrices,
+            first: 0,
+            joints: 0..BODY,
         };
         Ok(Track {
-            family: Family::Smpl,
-            parts: vec![Part {
-                table: table.into(),
-                matrices,
-                first: 0,
-                joints: 0..BODY,
-            }],
-            translation: None,
-            anchor: Anchor::Origin,
-            expression: None,
             timeline: Some(timeline(&self.frames, "frames")?),
-            rate: None,
-            up: Some(DVec3::NEG_Y),
+            up: UpAxis::Said(DVec3::NEG_Y),
             assumptions: vec![Assumption {
                 what: "axes",
                 taken: "the camera's, which is taken to be level".into(),
                 because: "results are seen from the camera".into(),
             }],
+            ..Track::of_parts(Family::Smpl, vec![part])
         })
     }
 }
@@ -160,19 +191,10 @@ fn chosen(person: usize, people: usize) -> Assumption {
     }
 }
 
-fn no_such_person(person: usize, people: usize) -> FormatError {
-    FormatError::container(
-        format!("{people} people"),
-        format!("at least {}, of whom one was asked for", person + 1),
-    )
-}
-
-/// A dictionary of people, as WHAM and ROMP write.
-fn from_people(root: Value, person: usize) -> Result<Track, FormatError> {
-    let mut people: Vec<Value> = root.values().into_iter().flatten().collect();
+/// One of the people whose motions are these.
+fn from_people(mut people: Vec<Value>, person: usize) -> Result<Track, FormatError> {
     let frames = |value: &Value| {
-        let poses = ["pose_world", "pose", "smpl_thetas", "poses", "body_pose"];
-        let poses = poses.iter().find_map(|name| value.get(name));
+        let poses = rotations(&Fields::Dictionary(*value)).and_then(|name| value.get(name));
         poses.map_or(0, |poses| match poses.shape() {
             Some(shape) => shape.first().copied().unwrap_or_default(),
             None => poses.items().map_or(0, |items| items.len()),

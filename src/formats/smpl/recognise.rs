@@ -6,15 +6,18 @@ use super::{
     timeline::timeline,
     track::{Anchor, Part, Track},
 };
-use crate::{assumption::Assumption, smpl_joints::BODY};
-use effigy_core::io::file::FormatError;
+use crate::{assumption::Assumption, capture::UpAxis, smpl_joints::BODY};
+use effigy_core::{avatar::limits, io::file::FormatError};
 use glam::DVec3;
 use std::{ops::Range, rc::Rc};
 
 /// Numbers of a row of SMPL's rotations: 22 joints, 24 with SMPL's hands, 52 of SMPL-H, 55 of
 /// SMPL-X.
 const WIDTHS: [usize; 4] = [66, 72, 156, 165];
+/// Numbers of a row of 24 matrices.
+const MATRICES: usize = 24 * 9;
 const JAW: usize = 22;
+const LEFT_EYE: usize = 23;
 const LEFT_HAND: Range<usize> = 25..40;
 const RIGHT_HAND: Range<usize> = 40..55;
 /// AIST++'s frames a second, of its videos.
@@ -22,48 +25,101 @@ const AIST_RATE: f64 = 60.0;
 /// Most numbers of an expression: SMPL-X has 100.
 const MAX_EXPRESSION: usize = 256;
 
-/// Every name of an array that is asked for.
-pub const NAMES: [&str; 28] = [
-    "poses",
+/// Names of the array of all joints' rotations, in axes that follow from the motion.
+const POSES: [&str; 4] = ["poses", "fullpose", "full_pose", "thetas"];
+/// The same of people before a camera.
+const CAMERA_POSES: [&str; 1] = ["pose"];
+const AIST_POSES: [&str; 1] = ["smpl_poses"];
+const WORLD_POSES: [&str; 1] = ["pose_world"];
+const ROMP_POSES: [&str; 1] = ["smpl_thetas"];
+/// The same as matrices.
+const POSE_MATRICES: [&str; 2] = ["pred_rotmat", "pred_thetas"];
+/// The body's rotations without the root's, and the root's.
+const BODY_POSE: [&str; 3] = ["body_pose", "pose_body", "poses_body"];
+const ROOT: [&str; 4] = ["global_orient", "root_orient", "root_pose", "poses_root"];
+/// Names of the place in metres.
+const PLACE: [&str; 9] = [
     "trans",
+    "transl",
+    "translation",
+    "smpl_trans",
+    "trans_world",
+    "cam_trans",
+    "pred_trans",
+    "global_t",
+    "root_trans",
+];
+const JAW_POSE: [&str; 2] = ["jaw_pose", "pose_jaw"];
+const LEFT_EYE_POSE: [&str; 1] = ["leye_pose"];
+const RIGHT_EYE_POSE: [&str; 1] = ["reye_pose"];
+/// Both eyes.
+const EYE_POSES: [&str; 1] = ["pose_eye"];
+const LEFT_HAND_POSE: [&str; 2] = ["left_hand_pose", "lhand_pose"];
+const RIGHT_HAND_POSE: [&str; 2] = ["right_hand_pose", "rhand_pose"];
+/// Both hands.
+const HAND_POSES: [&str; 1] = ["pose_hand"];
+const EXPRESSION: [&str; 3] = ["expression", "expressions", "expr"];
+const RATE: [&str; 5] = [
     "mocap_frame_rate",
     "mocap_framerate",
-    "smpl_poses",
-    "smpl_trans",
-    "smpl_scaling",
-    "pose_world",
-    "trans_world",
-    "pose",
-    "frame_ids",
-    "frame_id",
-    "global_orient",
-    "body_pose",
-    "jaw_pose",
-    "leye_pose",
-    "reye_pose",
-    "left_hand_pose",
-    "right_hand_pose",
-    "transl",
-    "expression",
-    "flat_hand_mean",
-    "pred_rotmat",
-    "pred_trans",
-    "frame",
-    "smpl_thetas",
-    "cam_trans",
     "fps",
+    "frame_rate",
+    "framerate",
+];
+/// Numbers of the frames of a video that rows are of.
+const FRAMES: [&str; 3] = ["frame_ids", "frame_id", "frame"];
+/// A turn of the whole posed body.
+const TURN: &str = "Rh";
+const SCALING: &str = "smpl_scaling";
+const FLAT: &str = "flat_hand_mean";
+
+/// Names of rotations, by one of which motion is known.
+const ROTATIONS: [&[&str]; 7] = [
+    &POSES,
+    &CAMERA_POSES,
+    &AIST_POSES,
+    &WORLD_POSES,
+    &ROMP_POSES,
+    &POSE_MATRICES,
+    &BODY_POSE,
+];
+/// Names of everything else.
+const OTHERS: [&[&str]; 13] = [
+    &ROOT,
+    &PLACE,
+    &JAW_POSE,
+    &LEFT_EYE_POSE,
+    &RIGHT_EYE_POSE,
+    &EYE_POSES,
+    &LEFT_HAND_POSE,
+    &RIGHT_HAND_POSE,
+    &HAND_POSES,
+    &EXPRESSION,
+    &RATE,
+    &FRAMES,
+    &[TURN, SCALING, FLAT],
 ];
 
 /// What a file with motion has.
-pub const EXPECTED: &str =
-    "SMPL's parameters: poses, or body_pose and global_orient, or what ROMP, WHAM or TRAM write";
+pub const EXPECTED: &str = "SMPL's parameters: poses, or body_pose and global_orient (HuMoR's pose_body and root_orient), \
+                            or what ROMP, VIBE, WHAM or TRAM write";
+
+/// Whether an array of this name is read.
+pub fn is_asked(name: &str) -> bool {
+    ROTATIONS
+        .iter()
+        .chain(&OTHERS)
+        .any(|names| names.contains(&name))
+}
+
+/// The name of the first array of rotations.
+pub fn rotations(fields: &Fields) -> Option<&'static str> {
+    ROTATIONS.iter().find_map(|names| fields.find(names))
+}
 
 /// Whether arrays are a person's motion.
 pub fn is_motion(fields: &Fields) -> bool {
-    ["poses", "smpl_poses", "pose_world", "pose", "body_pose"]
-        .into_iter()
-        .chain(["pred_rotmat", "smpl_thetas"])
-        .any(|name| fields.has(name))
+    rotations(fields).is_some()
 }
 
 fn need(table: Option<Table>, name: &str, fields: &Fields) -> Result<Table, FormatError> {
@@ -74,7 +130,7 @@ fn need(table: Option<Table>, name: &str, fields: &Fields) -> Result<Table, Form
 
 /// The upward axis of a camera's axes: y points down.
 fn camera(track: &mut Track, what: &str) {
-    track.up = Some(DVec3::NEG_Y);
+    track.up = UpAxis::Said(DVec3::NEG_Y);
     track.assumptions.push(Assumption {
         what: "axes",
         taken: "the camera's, which is taken to be level".into(),
@@ -82,8 +138,40 @@ fn camera(track: &mut Track, what: &str) {
     });
 }
 
+impl Track {
+    /// A motion of these rotations alone.
+    pub fn of_parts(family: Family, parts: Vec<Part>) -> Self {
+        Self {
+            family,
+            parts,
+            translation: None,
+            anchor: Anchor::Origin,
+            expression: None,
+            timeline: None,
+            rate: None,
+            up: UpAxis::Open,
+            assumptions: vec![],
+        }
+    }
+}
+
 /// A track of whole rows of rotations.
-fn track(poses: Table) -> Track {
+fn rows(
+    fields: &mut Fields,
+    names: &[&'static str],
+    widths: &[usize],
+) -> Result<Track, FormatError> {
+    if fields.has(TURN) {
+        return Err(FormatError::container(
+            format!(
+                "{}, as EasyMocap and ZJU-MoCap write each frame",
+                fields.describe()
+            ),
+            "the frames in one file: AMASS's poses and trans, or a list of frame_id, pose, Th and Rh",
+        ));
+    }
+    let poses = fields.table(names, widths)?;
+    let poses = need(poses, names[0], fields)?;
     let smpl_x = poses.width == 165;
     let poses = Rc::new(poses);
     let parts = if poses.width == 156 {
@@ -93,71 +181,76 @@ fn track(poses: Table) -> Track {
         let joints = if smpl_x { RIGHT_HAND.end } else { BODY };
         vec![Part::axes(poses, 0, 0..joints)]
     };
-    Track {
-        family: if smpl_x { Family::SmplX } else { Family::Smpl },
-        parts,
-        translation: None,
-        anchor: Anchor::Origin,
-        expression: None,
-        timeline: None,
-        rate: None,
-        up: None,
-        assumptions: vec![],
-    }
+    let family = if smpl_x { Family::SmplX } else { Family::Smpl };
+    let mut track = Track::of_parts(family, parts);
+    expression(fields, &mut track)?;
+    Ok(track)
 }
 
 /// The motion that arrays are.
 pub fn recognise(fields: &mut Fields) -> Result<Track, FormatError> {
-    if fields.has("pred_rotmat") {
-        return tram(fields);
-    }
-    if fields.has("smpl_thetas") {
-        return romp(fields);
-    }
-    if fields.has("smpl_poses") {
+    let has = |names: &[&'static str]| fields.find(names).is_some();
+    // In others an array of such a name may be anything.
+    let seen_by_camera = [&POSE_MATRICES[..], &ROMP_POSES, &WORLD_POSES, &CAMERA_POSES]
+        .into_iter()
+        .any(has);
+    let mut track = if has(&POSE_MATRICES) {
+        matrices(fields)?
+    } else if has(&ROMP_POSES) {
+        let mut track = rows(fields, &ROMP_POSES, &[72])?;
+        camera(&mut track, "ROMP's results are seen from the camera");
+        track
+    } else if has(&AIST_POSES) {
         return aist(fields);
+    } else if has(&WORLD_POSES) {
+        let mut track = rows(fields, &WORLD_POSES, &WIDTHS)?;
+        track.translation = fields.table(&["trans_world"], &[3])?;
+        track.anchor = Anchor::Hips;
+        track.up = UpAxis::Said(DVec3::Y);
+        track
+    } else if has(&CAMERA_POSES) {
+        let mut track = rows(fields, &CAMERA_POSES, &WIDTHS)?;
+        camera(&mut track, "the file has no motion in the world");
+        track
+    } else if has(&POSES) {
+        let mut track = rows(fields, &POSES, &WIDTHS)?;
+        track.up = UpAxis::Usual {
+            axis: DVec3::Z,
+            whose: "AMASS's files",
+        };
+        track
+    } else if has(&BODY_POSE) {
+        arguments(fields)?
+    } else {
+        return Err(FormatError::container(fields.describe(), EXPECTED));
+    };
+    if track.translation.is_none() {
+        track.translation = fields.table(&PLACE, &[3])?;
     }
-    if fields.has("pose_world") || (fields.has("pose") && fields.has("trans")) {
-        return wham(fields);
-    }
-    if fields.has("body_pose") {
-        return arguments(fields);
-    }
-    if fields.has("poses") {
-        return amass(fields);
-    }
-    Err(FormatError::container(fields.describe(), EXPECTED))
-}
-
-fn amass(fields: &mut Fields) -> Result<Track, FormatError> {
-    let poses = fields.table("poses", &WIDTHS)?;
-    let mut track = track(need(poses, "poses", fields)?);
-    track.translation = fields.table("trans", &[3])?;
-    for name in ["mocap_frame_rate", "mocap_framerate", "fps"] {
+    for name in RATE {
         track.rate = track.rate.or(fields.number(name)?);
     }
-    track.up = Some(DVec3::Z);
-    if !(fields.has("mocap_frame_rate") || fields.has("mocap_framerate")) && track.rate.is_none() {
-        track.assumptions.push(Assumption {
-            what: "up axis",
-            taken: "z, as in AMASS".into(),
-            because: "arrays are named as AMASS names them".into(),
-        });
+    if seen_by_camera
+        && let Some(name) = fields.find(&FRAMES)
+        && let Some(numbers) = fields.column(name)?
+    {
+        track.timeline = Some(timeline(&numbers, name)?);
     }
     Ok(track)
 }
 
 fn aist(fields: &mut Fields) -> Result<Track, FormatError> {
-    let poses = fields.table("smpl_poses", &[72])?;
-    let mut track = track(need(poses, "smpl_poses", fields)?);
-    track.translation = fields.table("smpl_trans", &[3])?;
-    let scale = fields.number("smpl_scaling")?.unwrap_or(1.0);
+    let mut track = rows(fields, &AIST_POSES, &[72])?;
+    track.translation = fields.table(&PLACE, &[3])?;
+    let scale = fields.number(SCALING)?;
+    // Others who use the names have neither its scale nor its videos.
+    track.rate = match scale {
+        Some(_) => Some(AIST_RATE),
+        None => fields.number("fps")?,
+    };
+    let scale = scale.unwrap_or(1.0);
     if !(scale.is_finite() && scale > 0.0) {
-        return Err(FormatError::metadata(
-            "smpl_scaling",
-            scale,
-            "a number above 0",
-        ));
+        return Err(FormatError::metadata(SCALING, scale, "a number above 0"));
     }
     // The model was scaled to the cameras' unit; the body is in metres.
     for number in track
@@ -167,110 +260,110 @@ fn aist(fields: &mut Fields) -> Result<Track, FormatError> {
     {
         *number = (f64::from(*number) / scale) as f32;
     }
-    track.rate = Some(AIST_RATE);
-    track.up = Some(DVec3::Y);
-    Ok(track)
-}
-
-fn wham(fields: &mut Fields) -> Result<Track, FormatError> {
-    let world = fields.has("pose_world");
-    let [poses, places] = if world {
-        ["pose_world", "trans_world"]
-    } else {
-        ["pose", "trans"]
+    track.up = UpAxis::Usual {
+        axis: DVec3::Y,
+        whose: "AIST++'s files",
     };
-    let poses = fields.table(poses, &[72])?;
-    let mut track = track(need(poses, "pose", fields)?);
-    track.translation = fields.table(places, &[3])?;
-    if world {
-        track.anchor = Anchor::Hips;
-        track.up = Some(DVec3::Y);
-    } else {
-        camera(&mut track, "the file has no motion in the world");
-    }
-    if let Some(ids) = fields.column("frame_ids")? {
-        track.timeline = Some(timeline(&ids, "frame_ids")?);
-    }
     Ok(track)
 }
 
-fn romp(fields: &mut Fields) -> Result<Track, FormatError> {
-    let poses = fields.table("smpl_thetas", &[72])?;
-    let mut track = track(need(poses, "smpl_thetas", fields)?);
-    track.translation = fields.table("cam_trans", &[3])?;
-    if let Some(ids) = fields.column("frame_id")? {
-        track.timeline = Some(timeline(&ids, "frame_id")?);
-    }
-    camera(&mut track, "ROMP's results are seen from the camera");
-    Ok(track)
-}
-
-fn tram(fields: &mut Fields) -> Result<Track, FormatError> {
-    let table = fields.table("pred_rotmat", &[24 * 9])?;
-    let table = need(table, "pred_rotmat", fields)?;
-    let translation = fields.table("pred_trans", &[3])?;
+/// Matrices of TRAM's and HybrIK's.
+fn matrices(fields: &mut Fields) -> Result<Track, FormatError> {
+    let what = match fields.find(&POSE_MATRICES) {
+        Some("pred_rotmat") => {
+            "TRAM keeps the camera's own motion in camera.npy, which is not read"
+        }
+        _ => "the file has no motion in the world",
+    };
+    let table = fields.table(&POSE_MATRICES, &[MATRICES])?;
+    let table = need(table, POSE_MATRICES[0], fields)?;
     let part = Part {
         table: table.into(),
         matrices: true,
         first: 0,
         joints: 0..BODY,
     };
-    let mut track = Track {
-        family: Family::Smpl,
-        parts: vec![part],
-        translation,
-        anchor: Anchor::Origin,
-        expression: None,
-        timeline: None,
-        rate: None,
-        up: None,
-        assumptions: vec![],
-    };
-    if let Some(ids) = fields.column("frame")? {
-        track.timeline = Some(timeline(&ids, "frame")?);
-    }
-    camera(
-        &mut track,
-        "TRAM keeps the camera's own motion in camera.npy, which is not read",
-    );
+    let mut track = Track::of_parts(Family::Smpl, vec![part]);
+    camera(&mut track, what);
     Ok(track)
 }
 
-/// Arguments of the models' code: `smpl_params.npz` of AvatarReX and THuman4, GVHMR's results.
+/// The face's expression, as much of it as a clip has.
+fn expression(fields: &mut Fields, track: &mut Track) -> Result<(), FormatError> {
+    track.expression = fields.rows(&EXPRESSION, MAX_EXPRESSION)?;
+    let Some(table) = track
+        .expression
+        .take_if(|table| table.width > limits::EXPRESSION)
+    else {
+        return Ok(());
+    };
+    track.assumptions.push(Assumption {
+        what: "expression",
+        taken: format!("{} of {} numbers", limits::EXPRESSION, table.width),
+        because: "a clip has no more".into(),
+    });
+    track.expression = Some(table.first(limits::EXPRESSION));
+    Ok(())
+}
+
+/// Arguments of the models' code: `smpl_params.npz` of AvatarReX and THuman4, GVHMR's results, and
+/// HuMoR's, which are SMPL-H's.
 fn arguments(fields: &mut Fields) -> Result<Track, FormatError> {
-    let body = fields.table("body_pose", &[63, 69])?;
-    let body = need(body, "body_pose", fields)?;
-    let root = fields.table("global_orient", &[3])?;
-    let root = need(root, "global_orient", fields)?;
-    let smpl_x = body.width == 63;
+    let smpl_x = fields.has("body_pose") || fields.find(&JAW_POSE).is_some();
+    let body = fields.table(&BODY_POSE, &[63, 69])?;
+    let body = need(body, BODY_POSE[0], fields)?;
+    let smpl_x = smpl_x && body.width == 63;
+    let root = fields.table(&ROOT, &[3])?;
+    let root = need(root, ROOT[0], fields)?;
     let mut parts = vec![Part::axes(root, 0, 0..1), Part::axes(body, 0, 1..BODY)];
-    for (joint, name) in ["jaw_pose", "leye_pose", "reye_pose"].iter().enumerate() {
-        if let Some(table) = fields.table(name, &[3])? {
-            parts.push(Part::axes(table, 0, JAW + joint..JAW + joint + 1));
+    let face: [(&[&str], usize, Range<usize>); 4] = [
+        (&JAW_POSE, 3, JAW..LEFT_EYE),
+        (&LEFT_EYE_POSE, 3, LEFT_EYE..LEFT_EYE + 1),
+        (&RIGHT_EYE_POSE, 3, LEFT_EYE + 1..LEFT_HAND.start),
+        (&EYE_POSES, 6, LEFT_EYE..LEFT_HAND.start),
+    ];
+    for (names, width, joints) in face {
+        let free = parts
+            .last()
+            .is_some_and(|part| part.joints.end <= joints.start);
+        if let Some(table) = fields.table(names, &[width])?.filter(|_| free) {
+            parts.push(Part::axes(table, 0, joints));
         }
     }
-    let mut assumptions = vec![];
-    let mut hands = false;
-    for (name, joints) in [
-        ("left_hand_pose", LEFT_HAND),
-        ("right_hand_pose", RIGHT_HAND),
-    ] {
-        match fields.table(name, &[45]) {
-            Ok(Some(table)) => {
-                hands = true;
-                parts.push(Part::axes(table, 0, joints));
+    let mut track = Track::of_parts(if smpl_x { Family::SmplX } else { Family::Smpl }, parts);
+    hands(fields, &mut track)?;
+    expression(fields, &mut track)?;
+    Ok(track)
+}
+
+/// Fingers of separate arrays.
+fn hands(fields: &mut Fields, track: &mut Track) -> Result<(), FormatError> {
+    let both: [(&[&str], usize, Range<usize>); 3] = [
+        (&LEFT_HAND_POSE, 45, LEFT_HAND),
+        (&RIGHT_HAND_POSE, 45, RIGHT_HAND),
+        (&HAND_POSES, 90, LEFT_HAND.start..RIGHT_HAND.end),
+    ];
+    let mut found = false;
+    for (names, width, joints) in both {
+        let Some(name) = fields.find(names) else {
+            continue;
+        };
+        match fields.table(&[name], &[width]) {
+            Ok(Some(table)) if !(found && width == 90) => {
+                found = true;
+                track.parts.push(Part::axes(table, 0, joints));
             }
-            Ok(None) => {}
-            Err(_) => assumptions.push(Assumption {
+            Ok(_) => {}
+            Err(_) => track.assumptions.push(Assumption {
                 what: "fingers",
                 taken: "straight".into(),
                 because: format!("{name} counts in the model's components, which are not here"),
             }),
         }
     }
-    let flat = fields.number("flat_hand_mean")?;
-    if hands && flat != Some(1.0) {
-        assumptions.push(Assumption {
+    let flat = fields.number(FLAT)?;
+    if found && flat != Some(1.0) {
+        track.assumptions.push(Assumption {
             what: "fingers",
             taken: "turned from a flat hand".into(),
             because: match flat {
@@ -279,16 +372,5 @@ fn arguments(fields: &mut Fields) -> Result<Track, FormatError> {
             },
         });
     }
-    let track = Track {
-        family: if smpl_x { Family::SmplX } else { Family::Smpl },
-        parts,
-        translation: fields.table("transl", &[3])?,
-        anchor: Anchor::Origin,
-        expression: fields.rows("expression", MAX_EXPRESSION)?,
-        timeline: None,
-        rate: fields.number("fps")?,
-        up: None,
-        assumptions,
-    };
-    Ok(track)
+    Ok(())
 }

@@ -3,7 +3,7 @@
 use effigy_core::io::file::FormatError;
 
 /// Frames without the person that are filled in; longer absences end the motion.
-const MAX_GAP: u64 = 15;
+const MAX_GAP: i64 = 15;
 
 /// A frame of the motion, from those in the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,30 +22,47 @@ pub struct Timeline {
     pub filled: usize,
     /// Frames of the file that are left out.
     pub left_out: usize,
+    /// Frames of the file.
+    pub rows: usize,
 }
 
-/// Puts frames where their numbers say. `numbers`: rising.
+/// A row of the file, and when the person was seen.
+#[derive(Clone, Copy)]
+struct Seen {
+    row: usize,
+    frame: i64,
+}
+
+/// Puts frames where their numbers say; of rows of one number the last. `numbers`: not falling.
 pub fn timeline(numbers: &[f32], name: &str) -> Result<Timeline, FormatError> {
-    let mut frames = Vec::with_capacity(numbers.len());
-    for &number in numbers {
-        let rising = frames
-            .last()
-            .is_none_or(|&last| f64::from(number) > last as f64);
-        if number < 0.0 || number.fract() != 0.0 || !rising {
+    let mut rows: Vec<Seen> = Vec::with_capacity(numbers.len());
+    for (row, &number) in numbers.iter().enumerate() {
+        if number.fract() != 0.0 {
             return Err(FormatError::metadata(
                 name,
                 number,
-                "numbers of frames that rise",
+                "whole numbers of frames",
             ));
         }
-        frames.push(number as u64);
+        let frame = number as i64;
+        match rows.last_mut() {
+            Some(last) if last.frame == frame => last.row = row,
+            Some(last) if last.frame > frame => {
+                return Err(FormatError::metadata(
+                    name,
+                    format!("{frame} after {}", last.frame),
+                    "numbers of frames that rise",
+                ));
+            }
+            _ => rows.push(Seen { row, frame }),
+        }
     }
     let mut longest = 0..0;
     let mut start = 0;
-    for end in 1..=frames.len() {
-        let ends = frames
+    for end in 1..=rows.len() {
+        let ends = rows
             .get(end)
-            .is_none_or(|&f| f - frames[end - 1] > MAX_GAP);
+            .is_none_or(|next| next.frame.saturating_sub(rows[end - 1].frame) > MAX_GAP);
         if ends {
             if end - start > longest.len() {
                 longest = start..end;
@@ -53,20 +70,22 @@ pub fn timeline(numbers: &[f32], name: &str) -> Result<Timeline, FormatError> {
             start = end;
         }
     }
-    let left_out = frames.len() - longest.len();
+    let left_out = numbers.len() - longest.len();
     let mut slots = Vec::new();
     for at in longest.clone() {
+        let Seen { row, frame } = rows[at];
         slots.push(Slot {
-            before: at,
-            after: at,
+            before: row,
+            after: row,
             share: 0.0,
         });
-        let next = frames.get(at + 1).filter(|_| at + 1 < longest.end);
-        let missing = next.map_or(0, |next| next - frames[at] - 1);
+        let next = rows.get(at + 1).filter(|_| at + 1 < longest.end);
+        let Some(next) = next else { break };
+        let missing = next.frame - frame - 1;
         for k in 1..=missing {
             slots.push(Slot {
-                before: at,
-                after: at + 1,
+                before: row,
+                after: next.row,
                 share: k as f64 / (missing + 1) as f64,
             });
         }
@@ -84,6 +103,7 @@ pub fn timeline(numbers: &[f32], name: &str) -> Result<Timeline, FormatError> {
         slots,
         filled,
         left_out,
+        rows: numbers.len(),
     })
 }
 
@@ -97,9 +117,12 @@ mod tests {
         let shares: Vec<f64> = found.slots.iter().map(|slot| slot.share).collect();
         assert_eq!(shares, [0.0, 0.0, 0.5, 0.0]);
         assert_eq!((found.filled, found.left_out), (1, 1));
-        for odd in [&[2.0, 1.0][..], &[0.5], &[-1.0], &[0.0, 10.0]] {
+        for odd in [&[2.0, 1.0][..], &[0.5], &[0.0, 10.0]] {
             assert!(timeline(odd, "frame_ids").is_err(), "{odd:?}");
         }
+        let again = timeline(&[-2.0, -1.0, -1.0, 0.0], "frame_ids").expect("a timeline");
+        let rows: Vec<usize> = again.slots.iter().map(|slot| slot.before).collect();
+        assert_eq!(rows, [0, 2, 3]);
         let far = [0.0, 1e30];
         assert!(timeline(&far, "frame_ids").is_ok_and(|line| line.slots.len() == 1));
     }

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, LocalPose, check_size},
+    capture::{Capture, Captured, LocalPose, UpAxis, check_size},
     smpl_joints::SMPL_X,
 };
 use effigy_core::io::file::FormatError;
@@ -51,7 +51,7 @@ pub struct Track {
     /// Where frames are not one after another.
     pub timeline: Option<Timeline>,
     pub rate: Option<f64>,
-    pub up: Option<DVec3>,
+    pub up: UpAxis,
     pub assumptions: Vec<Assumption>,
 }
 
@@ -86,7 +86,39 @@ impl Part {
     }
 }
 
+/// The error of a file with fewer people.
+pub fn no_such_person(person: usize, people: usize) -> FormatError {
+    FormatError::container(
+        format!("{people} people"),
+        format!("at least {}, of whom one was asked for", person + 1),
+    )
+}
+
 impl Track {
+    /// The motion of one of the people whom its arrays count first.
+    pub fn of_person(mut self, person: usize) -> Result<Self, FormatError> {
+        let tables = self.parts.iter().map(|part| &*part.table);
+        let people = tables.map(|table| table.people).max().unwrap_or(1);
+        if people == 1 {
+            return Ok(self);
+        }
+        if person >= people {
+            return Err(no_such_person(person, people));
+        }
+        for part in &mut self.parts {
+            part.table = Rc::new(part.table.of_person(person));
+        }
+        for table in [&mut self.translation, &mut self.expression] {
+            *table = table.take().map(|table| table.of_person(person));
+        }
+        self.assumptions.push(Assumption {
+            what: "person",
+            taken: format!("{} of {people}", person + 1),
+            because: "arrays have people before frames".into(),
+        });
+        Ok(self)
+    }
+
     /// The motion of a skeleton of an average body. `rate`: frames a second; None: as the file
     /// says. `size`: bytes of the file, unpacked.
     pub fn into_capture(mut self, rate: Option<f64>, size: usize) -> Result<Captured, FormatError> {
@@ -95,13 +127,13 @@ impl Track {
         let given = given.unwrap_or_default();
         let tables = self.parts.iter().map(|part| &*part.table);
         let tables = tables.chain(&self.translation).chain(&self.expression);
-        for table in tables {
-            if table.rows() != given && table.rows() != 1 {
-                return Err(FormatError::container(
-                    format!("arrays of {given} and of {} frames", table.rows()),
-                    "as many of each",
-                ));
-            }
+        let numbered = self.timeline.iter().map(|timeline| timeline.rows);
+        let rows = tables.map(Table::rows).filter(|rows| *rows != 1);
+        if let Some(rows) = rows.chain(numbered).find(|rows| *rows != given) {
+            return Err(FormatError::container(
+                format!("arrays of {given} and of {rows} frames"),
+                "as many of each",
+            ));
         }
         let frames = match &self.timeline {
             Some(timeline) => timeline.slots.len(),
@@ -124,6 +156,14 @@ impl Track {
             expression: Vec::with_capacity(frames * expression_len),
             expression_len,
         };
+        let said = |assumption: &Assumption| assumption.what == "place";
+        if self.translation.is_none() && !self.assumptions.iter().any(said) {
+            self.assumptions.push(Assumption {
+                what: "place",
+                taken: "the same in each frame".into(),
+                because: "the file has none in metres".into(),
+            });
+        }
         for frame in 0..frames {
             let slot = match &self.timeline {
                 Some(timeline) => timeline.slots[frame],

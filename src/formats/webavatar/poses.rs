@@ -4,21 +4,24 @@
 use super::skeleton::smpl_x;
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, LocalPose, check_size},
+    capture::{Capture, Captured, LocalPose, UpAxis, check_size},
     json::bounded,
     smpl,
     smpl_joints::SMPL_X,
 };
 use effigy_core::{
     avatar::{Clip, Skeleton},
-    io::file::FormatError,
+    io::file::{FormatError, excerpt},
 };
 use glam::{DMat3, DQuat, DVec3};
 use serde::{
     Deserialize, Deserializer, Serialize,
-    de::{Error, IgnoredAny, SeqAccess, Visitor, value::SeqAccessDeserializer},
+    de::{
+        DeserializeSeed, Error, IgnoredAny, MapAccess, SeqAccess, Visitor,
+        value::SeqAccessDeserializer,
+    },
 };
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 /// Frames a second where nobody says.
 pub const POSES_RATE: f64 = 30.0;
@@ -216,6 +219,52 @@ impl<'de> Visitor<'de> for &mut Frames<'_> {
     }
 }
 
+/// Keys of a list's first entry, for messages.
+fn first_keys(bytes: &[u8]) -> Vec<String> {
+    /// Most that are named.
+    const NAMED: usize = 8;
+
+    struct Keys(Vec<String>);
+
+    impl<'de> Visitor<'de> for &mut Keys {
+        type Value = ();
+
+        fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+            f.write_str("a list of objects")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+            while let Some(key) = map.next_key::<Cow<str>>()? {
+                if self.0.len() == NAMED {
+                    return Err(A::Error::custom("enough"));
+                }
+                self.0.push(excerpt(&key));
+                map.next_value::<IgnoredAny>()?;
+            }
+            Ok(())
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
+            list.next_element_seed(self)?;
+            Err(A::Error::custom("enough"))
+        }
+    }
+
+    impl<'de> DeserializeSeed<'de> for &mut Keys {
+        type Value = ();
+
+        fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+            deserializer.deserialize_any(self)
+        }
+    }
+
+    let mut keys = Keys(vec![]);
+    let mut text = serde_json::Deserializer::from_slice(bytes);
+    // What is wrong with the list is known.
+    text.deserialize_any(&mut keys).ok();
+    keys.0
+}
+
 /// Reads a clip for an avatar of SMPL-X's skeleton. `rate`: frames a second, which the file does
 /// not say.
 ///
@@ -251,7 +300,13 @@ pub fn read_poses(
         return Err(fault);
     }
     read.and_then(|()| text.end()).map_err(|error| {
-        FormatError::container(error, "a list of poses: frame_id, pose, Th, Rh")
+        let found = match first_keys(bytes) {
+            keys if keys.is_empty() => error.to_string(),
+            keys => format!("a list of {}: {error}", keys.join(", ")),
+        };
+        let expected = "a list of frames: frame_id, pose of 165 numbers, Th and Rh of 3; of EasyMocap, \
+                        which writes a list of people a frame, one person's frames in such a list";
+        FormatError::container(found, expected)
     })?;
     if clip.translation.is_empty() {
         return Err(FormatError::container("no pose", "at least one"));
@@ -310,7 +365,7 @@ pub fn capture_poses(bytes: &[u8], rate: Option<f64>) -> Result<Captured, Format
             rate: clip.rate,
             local,
             unit: Some(1.0),
-            up: None,
+            up: UpAxis::Open,
             model_rest: true,
             expression: clip.expression,
             expression_len: clip.expression_len,
@@ -430,5 +485,9 @@ mod tests {
             r#"[{{"frame_id":0,"pose":[{zeros}],"Th":[0,0,0],"Rh":[[0,0,0],[0,0,0],[0,0,0]]}}]"#
         );
         assert!(fault(&flat).contains("`[0].Rh`"), "{}", fault(&flat));
+        let easy = r#"[{"id":0,"Rh":[[0,0,0]],"Th":[[0,0,3]],"poses":[[0,0,0]]}]"#;
+        let said = fault(easy);
+        assert!(said.contains("a list of id, Rh, Th, poses"), "{said}");
+        assert!(said.contains("EasyMocap"), "{said}");
     }
 }

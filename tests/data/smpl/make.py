@@ -1,4 +1,5 @@
-"""Writes small files as AMASS, AvatarReX, AIST++, WHAM, ROMP and 4D-Humans write them, and what they hold.
+"""Writes small files as AMASS, AvatarReX, AIST++, WHAM, ROMP, 4D-Humans, VIBE, HuMoR and SLAHMR write them, and what they
+hold.
 
 Independent of Effigy: names, shapes and types are those that src/formats/smpl/mod.rs lists, numbers are random, and the
 rotations of joints in the world are computed with NumPy in float64. Run it in this folder:
@@ -123,6 +124,19 @@ def main():
             "size": [[720, 1280]], "mask": [{"size": [720, 1280], "counts": b"abc"}], "3d_joints": [None]}
     joblib.dump(frames, "demo_gymnasts.pkl")
     expected["demo_gymnasts.pkl"] = shown(BODY, np.array(seen)[:, :22].astype(float), np.zeros((FRAMES, 3)), True)
+
+    # VIBE: people without a place. HuMoR: one person. SLAHMR: two people in each array.
+    poses = f32(turns(FRAMES, 24))
+    joblib.dump({3: {"pred_cam": f32(np.ones((FRAMES, 3))), "orig_cam": f32(np.ones((FRAMES, 4))), "verts": None,
+                     "pose": poses.reshape(FRAMES, 72), "betas": f32(np.zeros((FRAMES, 10))),
+                     "frame_ids": np.arange(7, 7 + FRAMES)}}, "vibe_output.pkl")
+    expected["vibe_output.pkl"] = shown(BODY, poses[:, :22], np.zeros((FRAMES, 3)))
+    poses, trans = f32(turns(2, FRAMES, 22)), f32(random.normal(size=(2, FRAMES, 3)))
+    root, body = poses[:, :, 0], poses[:, :, 1:].reshape(2, FRAMES, 63)
+    np.savez("stage3_results.npz", betas=f32(np.zeros(16)), trans=trans[1], root_orient=root[1], pose_body=body[1])
+    np.savez("world_results.npz", betas=f32(np.zeros((2, 16))), trans=trans, root_orient=root, pose_body=body)
+    expected["stage3_results.npz"] = shown(BODY, poses[1], trans[1])
+    expected["world_results.npz"] = shown(BODY, poses[0], trans[0])
 
     with open("shown.json", "w") as file:
         rounded = json.loads(json.dumps(expected), parse_float=lambda text: round(float(text), 6))

@@ -93,8 +93,8 @@ fn each_fault_is_named() {
         (with("/bufferViews/1/buffer", json!(3)), "beyond its end"),
         (
             with(
-                "/bufferViews/1/extensions",
-                json!({"EXT_meshopt_compression": {}}),
+                "/bufferViews/1",
+                json!({"buffer": 9, "byteLength": 28, "extensions": {"EXT_meshopt_compression": {}}}),
             ),
             "EXT_meshopt_compression",
         ),

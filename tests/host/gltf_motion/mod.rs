@@ -3,12 +3,14 @@
 
 pub mod hostile;
 
+use effigy_core::io::file::FormatError;
 use effigy_formats::{
-    capture::{Capture, Captured, Rest},
+    capture::{Capture, Captured, Rest, UpAxis},
     gltf_motion::{self, Options},
 };
 use glam::{DAffine3, DMat3, DVec3};
 use serde::Deserialize;
+use serde_json::{Value, json};
 
 pub const GLB: &[u8] = include_bytes!("../../data/gltf/dance.glb");
 pub const EMBEDDED: &[u8] = include_bytes!("../../data/gltf/dance.gltf");
@@ -77,7 +79,10 @@ fn joints_are_where_numpy_computes_them_from_the_specification() {
     ] {
         let capture = read(bytes, &Options::default()).capture;
         assert_eq!(capture.joints.len(), 5, "{what}");
-        assert_eq!((capture.unit, capture.up), (Some(1.0), Some(DVec3::Y)));
+        assert_eq!(
+            (capture.unit, capture.up),
+            (Some(1.0), UpAxis::Said(DVec3::Y))
+        );
         frames(what, &capture);
     }
 }
@@ -160,7 +165,99 @@ fn keys_are_sampled_at_the_rate_that_is_asked_for() {
     }
 }
 
+/// Where the times of keys are in [`BYTES`]: of most channels, one a frame, and of three keys.
+const DENSE: std::ops::Range<usize> = 320..348;
+const SPARSE: std::ops::Range<usize> = 348..360;
+
+/// The file beside whose bytes the times of keys are others.
+fn with_times(
+    change: impl Fn(&mut [f32]),
+    places: &[std::ops::Range<usize>],
+) -> Result<Captured, FormatError> {
+    let mut bytes = BYTES.to_vec();
+    for place in places {
+        let own = bytes[place.clone()].as_chunks_mut::<4>().0;
+        let mut times: Vec<f32> = own.iter().map(|time| f32::from_le_bytes(*time)).collect();
+        change(&mut times);
+        for (own, time) in own.iter_mut().zip(times) {
+            *own = time.to_le_bytes();
+        }
+    }
+    gltf_motion::from_bytes(BESIDE, &Options::default(), &mut |_| Some(bytes.clone()))
+}
+
+fn keys_before_second_0_are_played_from_the_first_on() {
+    for start in [-0.5f32, -1.0 / 30.0, 2.0] {
+        let shift = |times: &mut [f32]| times.iter_mut().for_each(|time| *time += start);
+        let moved = with_times(shift, &[DENSE, SPARSE]).unwrap().capture;
+        let shown = shown();
+        assert_eq!(moved.frames(), 7, "{start}");
+        for (at, frame) in shown.frames.iter().enumerate() {
+            // Seconds are rounded to f32.
+            for (own, expected) in moved.world(at).iter().zip(&frame.translation) {
+                assert!(
+                    own.translation.distance(DVec3::from(*expected)) < 1e-4,
+                    "{start}"
+                );
+            }
+        }
+    }
+}
+
+fn the_last_of_keys_at_one_time_counts_from_then_on() {
+    // Seconds that f32 has.
+    let even = |times: &mut [f32]| {
+        for (at, time) in times.iter_mut().enumerate() {
+            *time = at as f32 / 32.0;
+        }
+    };
+    let usual = with_times(even, &[DENSE]).unwrap().capture;
+    let hips = |capture: &Capture, frame: usize| capture.local[frame * capture.joints.len()];
+    for (again, frames) in [(3, 7), (6, 6), (1, 7)] {
+        let twice = |times: &mut [f32]| {
+            even(times);
+            times[again] = times[again - 1];
+        };
+        let twice = with_times(twice, &[DENSE]).unwrap().capture;
+        assert_eq!((twice.frames(), twice.rate), (frames, 32.0), "key {again}");
+        // Where the key stood is what lies between its neighbours.
+        for frame in (0..frames).filter(|&frame| frame != again) {
+            let key = if frame == again - 1 { again } else { frame };
+            let [own, expected] = [hips(&twice, frame), hips(&usual, key)];
+            assert_eq!(own, expected, "key {again}, frame {frame}");
+        }
+    }
+    let falls = with_times(|times| times[3] = 0.01, &[DENSE]);
+    let falls = falls.unwrap_err().to_string();
+    assert!(
+        falls.contains("a key at 0.01 s after one at 0.06"),
+        "{falls}"
+    );
+}
+
+fn plain_bytes_beside_compressed_ones_are_read() {
+    let mut document: Value = serde_json::from_slice(BESIDE).unwrap();
+    for view in document["bufferViews"].as_array_mut().unwrap() {
+        view["extensions"] = json!({"EXT_meshopt_compression": {"buffer": 1, "byteLength": 32}});
+    }
+    let read = |document: &Value| {
+        let text = document.to_string();
+        gltf_motion::from_bytes(text.as_bytes(), &Options::default(), &mut |_| {
+            Some(BYTES.to_vec())
+        })
+    };
+    frames("fallback", &read(&document).unwrap().capture);
+    // gltfpack leaves the fallback without bytes.
+    let length = BYTES.len();
+    document["buffers"] = json!([{"byteLength": length, "extensions": {"EXT_meshopt_compression": {"fallback": true}}}]);
+    let error = read(&document).unwrap_err().to_string();
+    assert!(error.contains("found EXT_meshopt_compression"), "{error}");
+}
+
 tests! {
+    keys_before_second_0_are_played_from_the_first_on,
+    the_last_of_keys_at_one_time_counts_from_then_on,
+    plain_bytes_beside_compressed_ones_are_read,
     joints_are_where_numpy_computes_them_from_the_specification,
     the_rest_pose_is_that_of_the_skin_or_of_the_nodes,
     joints_have_the_names_of_nodes_or_of_vrms_bones,

@@ -4,7 +4,7 @@
 pub mod hostile;
 
 use effigy_formats::{
-    capture::Captured,
+    capture::{Captured, UpAxis},
     smpl::{self, Options},
 };
 use glam::{DMat3, DVec3};
@@ -40,6 +40,9 @@ pub const FILES: &[File] = files![
     "hmr4d_results.pt",
     "hmr4d_results_legacy.pt",
     "hps_track_0.npy",
+    "vibe_output.pkl",
+    "stage3_results.npz",
+    "world_results.npz",
 ];
 
 /// A frame as NumPy computed it.
@@ -121,15 +124,18 @@ fn joints_make_an_upright_person_whose_left_is_at_x() {
 }
 
 fn what_files_say_is_taken_and_what_they_leave_open_is_said() {
+    let usual = |axis, whose| UpAxis::Usual { axis, whose };
     let rates = [
-        ("amass_h.npz", 120.0, Some(DVec3::Z)),
-        ("amass_x.npz", 60.0, Some(DVec3::Z)),
-        ("smpl_params.npz", 30.0, None),
-        ("aist_5.pkl", 60.0, Some(DVec3::Y)),
-        ("wham_output.pkl", 30.0, Some(DVec3::Y)),
-        ("romp_video.npz", 30.0, Some(DVec3::NEG_Y)),
-        ("hmr4d_results.pt", 30.0, Some(DVec3::Y)),
-        ("hps_track_0.npy", 30.0, Some(DVec3::NEG_Y)),
+        ("amass_h.npz", 120.0, usual(DVec3::Z, "AMASS's files")),
+        ("amass_x.npz", 60.0, usual(DVec3::Z, "AMASS's files")),
+        ("smpl_params.npz", 30.0, UpAxis::Open),
+        ("aist_5.pkl", 60.0, usual(DVec3::Y, "AIST++'s files")),
+        ("wham_output.pkl", 30.0, UpAxis::Said(DVec3::Y)),
+        ("romp_video.npz", 30.0, UpAxis::Said(DVec3::NEG_Y)),
+        ("hmr4d_results.pt", 30.0, UpAxis::Said(DVec3::Y)),
+        ("hps_track_0.npy", 30.0, UpAxis::Said(DVec3::NEG_Y)),
+        ("vibe_output.pkl", 30.0, UpAxis::Said(DVec3::NEG_Y)),
+        ("stage3_results.npz", 30.0, UpAxis::Open),
     ];
     for (name, rate, up) in rates {
         let captured = read(name, &Options::default());
@@ -170,6 +176,10 @@ fn one_person_of_several_is_taken() {
     assert_eq!(taken(&second, "person").as_deref(), Some("2 of 2"));
     let filled = taken(&first, "frames without the person");
     assert!(filled.unwrap().starts_with("1 filled in"));
+    let slahmr = read("world_results.npz", &other);
+    let alone = read("stage3_results.npz", &Options::default());
+    assert_eq!(slahmr.capture, alone.capture);
+    assert_eq!(taken(&slahmr, "person").as_deref(), Some("2 of 2"));
     let humans = read("demo_gymnasts.pkl", &Options::default());
     assert_eq!(taken(&humans, "person").as_deref(), Some("1 of 2"));
     assert_eq!(read("demo_gymnasts.pkl", &other).capture.frames(), 2);
@@ -177,12 +187,30 @@ fn one_person_of_several_is_taken() {
         person: 2,
         ..Options::default()
     };
-    for name in ["wham_output.pkl", "demo_gymnasts.pkl", "romp_frames.npz"] {
+    for name in [
+        "wham_output.pkl",
+        "demo_gymnasts.pkl",
+        "romp_frames.npz",
+        "world_results.npz",
+    ] {
         assert!(smpl::from_bytes(file(name), &none).is_err(), "{name}");
     }
 }
 
+fn a_file_without_a_place_stays_in_one() {
+    let vibe = read("vibe_output.pkl", &Options::default());
+    let place = taken(&vibe, "place");
+    assert_eq!(place.as_deref(), Some("the same in each frame"));
+    let count = vibe.capture.joints.len();
+    let mut roots = vibe.capture.local.iter().step_by(count);
+    assert!(roots.all(|root| root.offset == vibe.capture.local[0].offset));
+    for name in ["amass_h.npz", "world_results.npz", "wham_output.pkl"] {
+        assert_eq!(taken(&read(name, &Options::default()), "place"), None);
+    }
+}
+
 tests! {
+    a_file_without_a_place_stays_in_one,
     rotations_in_the_world_are_those_that_numpy_computes,
     joints_make_an_upright_person_whose_left_is_at_x,
     what_files_say_is_taken_and_what_they_leave_open_is_said,
