@@ -57,6 +57,8 @@ fn main() -> ExitCode {
             bake,
             capture,
             capture::hostile,
+            capture::masks,
+            capture::wrong,
             drift,
             #[cfg(feature = "window")]
             dropped,
