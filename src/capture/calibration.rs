@@ -238,7 +238,7 @@ impl CalibrationEntry {
             return Err(FormatError::metadata(
                 &field("T"),
                 format!("{:?}", self.t),
-                format!("metres, at most {LENGTH}"),
+                format!("metres, at most {LENGTH}; millimetres are to be divided by 1000"),
             ));
         }
         Ok(CaptureCamera {

@@ -3,19 +3,23 @@
 use crate::{
     calibration::{Calibration, CaptureCamera, Named},
     error::{CaptureError, fault, read_bytes},
-    header,
+    header::{self, Head, Size},
     layouts::{self, Layout},
     left_out::{LeftOut, Reason},
     limits,
+    look::MaskLook,
+    mask::MaskRule,
     picture::{Fault, Picture},
     poses::{self, Poses},
     split::Split,
     template::{self, Template},
+    units,
 };
 use effigy_core::{
     avatar::Pose,
-    io::file::{FileError, FormatError},
+    io::file::{FileError, FormatError, excerpt},
 };
+use effigy_formats::assumption::Assumption;
 use rayon::prelude::*;
 use std::{
     collections::{BTreeMap, HashMap, HashSet},
@@ -39,6 +43,11 @@ pub struct Capture {
     pub template: Template,
     /// What can't be used, and why.
     pub left_out: Vec<LeftOut>,
+    /// What its files leave open, and what was taken.
+    pub assumptions: Vec<Assumption>,
+    /// What a look at some masks found.
+    pub masks: MaskLook,
+    pub(crate) rule: MaskRule,
     /// The files of each camera's picture of each frame: shape frames, cameras.
     pub(crate) files: Vec<Option<Files>>,
 }
@@ -61,7 +70,7 @@ pub struct CaptureOptions {
     pub template: Option<PathBuf>,
 }
 
-/// A picture's and its mask's file.
+/// A picture's and its mask's file, which is the picture's own where its alpha channel is the mask.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Files {
     pub picture: PathBuf,
@@ -74,12 +83,12 @@ impl Capture {
         layouts::of(folder).map(|layout| layout.name)
     }
 
-    /// Opens a capture: reads cameras, poses and body model, and the sizes of all pictures and
-    /// masks. What can't be used is in [`Self::left_out`].
+    /// Opens a capture: reads cameras, poses and body model, the sizes of all pictures and masks, and
+    /// some masks. What can't be used is in [`Self::left_out`].
     ///
     /// # Errors
     /// When the folder has no layout that is known, or its calibration, poses or body model can't
-    /// be read; when no frame is left.
+    /// be read or are not in metres; when no frame is left.
     pub fn read(folder: &Path) -> Result<Self, CaptureError> {
         Self::read_with(folder, &CaptureOptions::default())
     }
@@ -132,7 +141,7 @@ impl Capture {
             if row.iter().all(Option::is_none) {
                 continue;
             }
-            match poses.pose(number as usize, &model.mean_hands) {
+            match poses.pose(number as usize, &model.hands) {
                 Ok(pose) => {
                     files.extend(row);
                     frames.push(CaptureFrame {
@@ -162,9 +171,21 @@ impl Capture {
             frames,
             template,
             left_out,
+            assumptions: poses.assumptions(&model.hands),
+            masks: MaskLook::default(),
+            rule: MaskRule::default(),
             files,
         };
-        capture.unless_empty()
+        let mut capture = capture.unless_empty()?;
+        if let Some(found) = units::fault(&capture) {
+            let file = match found.of_poses {
+                true => folder.join(poses::FILE),
+                false => calibration_file,
+            };
+            return Err(fault(&file, found.error));
+        }
+        capture.look_at_masks();
+        Ok(capture)
     }
 
     fn unless_empty(self) -> Result<Self, CaptureError> {
@@ -205,11 +226,9 @@ impl Capture {
         let Some(files) = self.files_of(camera, frame) else {
             return Err(CaptureError::NoPicture { camera, frame });
         };
-        Picture::read(&files.picture, &files.mask, &self.cameras[camera]).map_err(|found| {
-            match found {
-                Fault::Picture(found) => fault(&files.picture, found),
-                Fault::Mask(found) => fault(&files.mask, found),
-            }
+        Picture::read(files, &self.cameras[camera], self.rule).map_err(|found| match found {
+            Fault::Picture(found) => fault(&files.picture, found),
+            Fault::Mask(found) => fault(&files.mask, found),
         })
     }
 
@@ -279,32 +298,70 @@ fn is_listed(listed: &HashSet<String>, path: &str) -> bool {
     (0..parts.len().saturating_sub(1)).any(|from| listed.contains(&parts[from..].join("/")))
 }
 
-/// The pictures of a folder by number; none where there is no folder.
-fn numbered(
-    folder: &Path,
-    number: fn(&str) -> Option<u32>,
-) -> Result<BTreeMap<u32, PathBuf>, CaptureError> {
-    let mut files = BTreeMap::new();
-    let unreadable = |cause| FileError::Read {
-        file: folder.into(),
-        cause,
-    };
-    if !folder.is_dir() {
-        return Ok(files);
+/// The pictures of a folder by number.
+#[derive(Default)]
+struct Numbered {
+    files: BTreeMap<u32, PathBuf>,
+    /// Name of a file that is none of them.
+    other: Option<String>,
+}
+
+impl Numbered {
+    /// Nothing where there is no folder. Where no name is a frame's number alone, a name's only
+    /// number is.
+    fn read(folder: &Path, number: fn(&str) -> Option<u32>) -> Result<Self, CaptureError> {
+        let unreadable = |cause| FileError::Read {
+            file: folder.into(),
+            cause,
+        };
+        if !folder.is_dir() {
+            return Ok(Self::default());
+        }
+        let mut paths = Vec::new();
+        for entry in fs::read_dir(folder).map_err(unreadable)? {
+            paths.push(entry.map_err(unreadable)?.path());
+        }
+        // Which of two of one number is taken must not be chance.
+        paths.sort();
+        let plain = Self::named(&paths, number);
+        if !plain.files.is_empty() {
+            return Ok(plain);
+        }
+        let loose = Self::named(&paths, layouts::only_number);
+        let is_unique = loose.files.len() == paths.iter().filter(|path| is_picture(path)).count();
+        Ok(if is_unique { loose } else { plain })
     }
-    for entry in fs::read_dir(folder).map_err(unreadable)? {
-        let path = entry.map_err(unreadable)?.path();
-        let ending = path.extension().unwrap_or_default().to_string_lossy();
-        let is_picture = ["png", "jpg", "jpeg"].contains(&&*ending.to_ascii_lowercase());
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        if let Some(number) = number(&stem)
-            && is_picture
-            && files.len() < limits::FRAMES
-        {
-            files.insert(number, path);
+
+    fn named(paths: &[PathBuf], number: fn(&str) -> Option<u32>) -> Self {
+        let mut found = Self::default();
+        for path in paths {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            match number(&stem).filter(|_| is_picture(path)) {
+                Some(number) if found.files.len() < limits::FRAMES => {
+                    found.files.entry(number).or_insert_with(|| path.clone());
+                }
+                _ if found.other.is_none() && path.is_file() => {
+                    let name = path.file_name().unwrap_or_default().to_string_lossy();
+                    found.other = Some(excerpt(&name));
+                }
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// That there is none of a frame.
+    fn missing(&self) -> Reason {
+        Reason::Missing {
+            other: self.other.clone().filter(|_| self.files.is_empty()),
         }
     }
-    Ok(files)
+}
+
+/// Whether a file's ending is that of a picture.
+fn is_picture(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    ["png", "jpg", "jpeg"].contains(&&*ending.to_ascii_lowercase())
 }
 
 impl View {
@@ -328,7 +385,7 @@ impl View {
         };
         let calibration = folder.join(layout.calibration);
         let [picture_folder, mask_folder] = [(layout.pictures)(&name), (layout.masks)(&name)];
-        let read = |below: &str| numbered(&folder.join(below), layout.number);
+        let read = |below: &str| Numbered::read(&folder.join(below), layout.number);
         let (pictures, masks) = match (read(&picture_folder), read(&mask_folder)) {
             (Ok(pictures), Ok(masks)) => (pictures, masks),
             (Err(error), _) | (_, Err(error)) => {
@@ -338,8 +395,9 @@ impl View {
             }
         };
         let headers: Vec<Header> = pictures
+            .files
             .par_iter()
-            .map(|(number, picture)| Header::read(*number, picture, masks.get(number)))
+            .map(|(number, picture)| Header::read(*number, picture, masks.files.get(number)))
             .collect();
         let size = entry.size().or_else(|| commonest(&headers));
         // No picture at all: any size does.
@@ -358,24 +416,19 @@ impl View {
         };
         for header in &headers {
             let number = header.number;
-            let picture = &pictures[&number];
-            match header.fault(expected, poses) {
+            let picture = &pictures.files[&number];
+            let mask = masks.files.get(&number);
+            match header.fault(expected, poses, &masks) {
                 _ if is_listed(listed, &relative(picture)) => {
                     leave_out(picture.clone(), Some(number), Reason::Listed);
                 }
                 None => {
-                    if let Some(mask) = masks.get(&number) {
-                        files.insert(
-                            number,
-                            Files {
-                                picture: picture.clone(),
-                                mask: mask.clone(),
-                            },
-                        );
-                    }
+                    let mask = mask.unwrap_or(picture).clone();
+                    let picture = picture.clone();
+                    files.insert(number, Files { picture, mask });
                 }
                 Some(HeaderFault { of_mask, reason }) => {
-                    let file = match masks.get(&number) {
+                    let file = match mask {
                         Some(mask) if of_mask => mask.clone(),
                         None if of_mask => like(picture, &folder.join(&mask_folder)),
                         _ => picture.clone(),
@@ -386,7 +439,7 @@ impl View {
         }
         // What is not there, up to the last pose.
         for number in 0..poses as u32 {
-            if pictures.contains_key(&number) {
+            if pictures.files.contains_key(&number) {
                 continue;
             }
             let file = folder
@@ -399,7 +452,7 @@ impl View {
             let reason = if known {
                 Reason::Listed
             } else {
-                Reason::Missing
+                pictures.missing()
             };
             leave_out(file, Some(number), reason);
         }
@@ -412,12 +465,12 @@ fn like(picture: &Path, masks: &Path) -> PathBuf {
     masks.join(picture.file_name().unwrap_or_default())
 }
 
-/// The sizes that a picture and its mask say they have.
+/// What a picture and its mask say of themselves.
 struct Header {
     number: u32,
-    picture: Result<header::Size, FormatError>,
+    picture: Result<Head, FormatError>,
     /// None: there is no mask.
-    mask: Option<Result<header::Size, FormatError>>,
+    mask: Option<Result<Head, FormatError>>,
 }
 
 /// What is wrong with a picture or its mask.
@@ -430,22 +483,23 @@ impl Header {
     fn read(number: u32, picture: &Path, mask: Option<&PathBuf>) -> Self {
         Self {
             number,
-            picture: header::size_of(picture),
-            mask: mask.map(|mask| header::size_of(mask)),
+            picture: header::read(picture),
+            mask: mask.map(|mask| header::read(mask)),
         }
     }
 
-    fn fault(&self, expected: header::Size, poses: usize) -> Option<HeaderFault> {
+    /// What is wrong, if it is. `masks`: of the camera.
+    fn fault(&self, expected: Size, poses: usize, masks: &Numbered) -> Option<HeaderFault> {
         if self.number as usize >= poses {
             return Some(HeaderFault {
                 of_mask: false,
                 reason: Reason::NoPose { poses },
             });
         }
-        let of = |found: &Result<header::Size, FormatError>| match found {
+        let of = |found: &Result<Head, FormatError>| match found {
             Err(fault) => Some(Reason::Unreadable(fault.clone())),
-            Ok(found) if *found != expected => Some(Reason::Size {
-                found: *found,
+            Ok(Head { size, .. }) if *size != expected => Some(Reason::Size {
+                found: *size,
                 expected,
             }),
             Ok(_) => None,
@@ -456,8 +510,11 @@ impl Header {
                 reason,
             });
         }
+        let has_alpha = self.picture.as_ref().is_ok_and(|head| head.has_alpha);
         let reason = match &self.mask {
-            None => Some(Reason::Missing),
+            // Where some masks are missing, their pictures have none either.
+            None if has_alpha && masks.files.is_empty() => None,
+            None => Some(masks.missing()),
             Some(mask) => of(mask),
         };
         reason.map(|reason| HeaderFault {
@@ -468,13 +525,13 @@ impl Header {
 }
 
 /// The size that most pictures have.
-fn commonest(headers: &[Header]) -> Option<header::Size> {
-    let mut counts: HashMap<header::Size, usize> = HashMap::new();
-    for size in headers
+fn commonest(headers: &[Header]) -> Option<Size> {
+    let mut counts: HashMap<Size, usize> = HashMap::new();
+    for head in headers
         .iter()
         .filter_map(|header| header.picture.as_ref().ok())
     {
-        *counts.entry(*size).or_default() += 1;
+        *counts.entry(head.size).or_default() += 1;
     }
     counts
         .into_iter()

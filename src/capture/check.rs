@@ -3,7 +3,8 @@
 use crate::{
     capture::Capture,
     left_out::{LeftOut, Reason},
-    picture::{Fault, Picture},
+    mask::{Mask, MaskFile},
+    picture::colors,
 };
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -59,7 +60,8 @@ impl Capture {
                 let (frame, camera) = (at / cameras, at % cameras);
                 let files = self.files_of(camera, frame)?;
                 let own = &self.cameras[camera];
-                let read = Picture::read(&files.picture, &files.mask, own);
+                let colors = colors(&files.picture).and_then(|colors| colors.of(own, [0; 3]));
+                let mask = MaskFile::read(files).and_then(|file| file.mask(own, self.rule));
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
                 let leave_out = |file: &std::path::Path, reason| {
                     Some(LeftOut {
@@ -69,15 +71,13 @@ impl Capture {
                         reason,
                     })
                 };
-                match read {
-                    Err(Fault::Picture(fault)) => {
-                        leave_out(&files.picture, Reason::Unreadable(fault))
-                    }
-                    Err(Fault::Mask(fault)) => leave_out(&files.mask, Reason::Unreadable(fault)),
-                    Ok(_) if blind[camera] => None,
-                    Ok(picture) => {
+                match (colors, mask) {
+                    (Err(fault), _) => leave_out(&files.picture, Reason::Unreadable(fault)),
+                    (_, Err(fault)) => leave_out(&files.mask, Reason::Unreadable(fault)),
+                    _ if blind[camera] => None,
+                    (_, Ok(mask)) => {
                         let places = self.in_view(camera, &joints[frame]);
-                        let reason = fault_of(&picture, &places)?;
+                        let reason = fault_of(&mask, &places)?;
                         leave_out(&files.mask, reason)
                     }
                 }
@@ -88,7 +88,7 @@ impl Capture {
     }
 
     /// Where points are in a camera's picture, px, without those outside.
-    fn in_view(&self, camera: usize, points: &[DVec3]) -> Vec<DVec2> {
+    pub(crate) fn in_view(&self, camera: usize, points: &[DVec3]) -> Vec<DVec2> {
         let camera = &self.cameras[camera].camera;
         let [width, height] = camera.size.map(f64::from);
         let mut places = Vec::new();
@@ -105,14 +105,18 @@ impl Capture {
 }
 
 /// What is wrong with a mask. `places`: of the joints, px.
-fn fault_of(picture: &Picture, places: &[DVec2]) -> Option<Reason> {
-    let [width, height] = picture.size.map(|side| side as usize);
-    let at = |x: usize, y: usize| picture.mask[y * width + x] > 0;
+pub fn fault_of(mask: &Mask, places: &[DVec2]) -> Option<Reason> {
+    let [width, height] = mask.size.map(|side| side as usize);
+    let at = |x: usize, y: usize| mask.person[y * width + x] > 0;
     if places.is_empty() {
         return Some(Reason::NoBody);
     }
-    if picture.mask.iter().all(|&part| part == 0) {
-        return Some(Reason::EmptyMask);
+    if mask.person.iter().all(|&part| part == 0) {
+        let highest = mask.highest;
+        return Some(Reason::EmptyMask { highest });
+    }
+    if mask.person.iter().all(|&part| part > 0) {
+        return Some(Reason::FullMask);
     }
     let inside = places
         .iter()
@@ -124,7 +128,7 @@ fn fault_of(picture: &Picture, places: &[DVec2]) -> Option<Reason> {
         .collect();
     let covered = edge.iter().filter(|&&part| part).count() as f64;
     let few = (inside as f64) < LEAST_INSIDE * places.len() as f64;
-    if covered > MOST_OF_EDGE * edge.len() as f64 && (few || picture.mask.iter().all(|&m| m > 0)) {
+    if covered > MOST_OF_EDGE * edge.len() as f64 && few {
         return Some(Reason::InvertedMask);
     }
     (few && places.len() >= FEWEST_JOINTS).then_some(Reason::Astray {
@@ -139,17 +143,17 @@ mod tests {
 
     fn fault(mask: impl Fn(f64, f64) -> bool) -> Option<Reason> {
         let side = 20;
-        let picture = Picture {
+        let mask = Mask {
             size: [side; 2],
-            color: vec![[0; 3]; 400],
-            mask: (0..400)
+            highest: 255,
+            person: (0..400)
                 .map(|at| 255 * u8::from(mask(f64::from(at % side), f64::from(at / side))))
                 .collect(),
         };
         let places: Vec<DVec2> = (0..6)
             .map(|k| DVec2::new(10.0, 7.0 + f64::from(k)))
             .collect();
-        fault_of(&picture, &places)
+        fault_of(&mask, &places)
     }
 
     #[test]
@@ -157,8 +161,11 @@ mod tests {
         let disc = |x: f64, y: f64| (x - 10.0).hypot(y - 10.0) < 6.0;
         assert_eq!(fault(disc), None);
         assert_eq!(fault(|x, y| !disc(x, y)), Some(Reason::InvertedMask));
-        assert_eq!(fault(|_, _| true), Some(Reason::InvertedMask));
-        assert_eq!(fault(|_, _| false), Some(Reason::EmptyMask));
+        assert_eq!(fault(|_, _| true), Some(Reason::FullMask));
+        assert_eq!(
+            fault(|_, _| false),
+            Some(Reason::EmptyMask { highest: 255 })
+        );
         let aside = |x: f64, y: f64| disc(x + 6.0, y);
         assert!(matches!(fault(aside), None | Some(Reason::Astray { .. })));
         assert!(matches!(

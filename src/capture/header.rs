@@ -1,4 +1,4 @@
-//! Width, height and depth of a picture from the first bytes of its file, without decoding it: a
+//! Width, height and channels of a picture from the first bytes of its file, without decoding it: a
 //! capture has tens of thousands.
 
 use crate::limits;
@@ -16,8 +16,16 @@ const MAX_SEGMENTS: usize = 1000;
 /// Width and height, px.
 pub type Size = [u32; 2];
 
-/// The size that a PNG or JPEG says it has.
-pub fn size_of(path: &Path) -> Result<Size, FormatError> {
+/// What a file says of its image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Head {
+    pub size: Size,
+    /// Whether it has an alpha channel.
+    pub has_alpha: bool,
+}
+
+/// What a PNG or JPEG says of its image.
+pub fn read(path: &Path) -> Result<Head, FormatError> {
     let failed = |error: io::Error| FormatError::container(error, "a PNG or JPEG");
     let file = File::open(path).map_err(failed)?;
     let about = file.metadata().map_err(failed)?;
@@ -27,10 +35,11 @@ pub fn size_of(path: &Path) -> Result<Size, FormatError> {
             format!("a file of at most {} bytes", limits::IMAGE),
         ));
     }
-    size_in(&mut BufReader::new(file))
+    head_in(&mut BufReader::new(file))
 }
 
-fn size_in(from: &mut impl Read) -> Result<Size, FormatError> {
+fn head_in(from: &mut impl Read) -> Result<Head, FormatError> {
+    let mut has_alpha = false;
     let cut = |_| FormatError::container("an end inside the header", "a whole PNG or JPEG");
     let mut start = [0; 2];
     from.read_exact(&mut start).map_err(cut)?;
@@ -46,6 +55,8 @@ fn size_in(from: &mut impl Read) -> Result<Size, FormatError> {
                 "a PNG or JPEG",
             ));
         }
+        // Grey and RGB with alpha.
+        has_alpha = matches!(rest[23], 4 | 6);
         [word(16), word(20)]
     };
     let fits = size.iter().all(|side| (1..=limits::SIDE).contains(side));
@@ -55,7 +66,7 @@ fn size_in(from: &mut impl Read) -> Result<Size, FormatError> {
             format!("sides of 1 to {} px", limits::SIDE),
         ));
     }
-    Ok(size)
+    Ok(Head { size, has_alpha })
 }
 
 /// The size in a JPEG's frame header, after its first two bytes.
@@ -109,11 +120,14 @@ mod tests {
     fn sizes_are_read_from_headers_alone() {
         let mut png = PNG.to_vec();
         png.extend(b"\0\0\0\x0dIHDR\0\0\x02\0\0\0\x01\0\x08\x02");
-        assert_eq!(size_in(&mut &png[..]).ok(), Some([512, 256]));
+        let head = |size, has_alpha| Some(Head { size, has_alpha });
+        assert_eq!(head_in(&mut &png[..]).ok(), head([512, 256], false));
+        png[25] = 6;
+        assert_eq!(head_in(&mut &png[..]).ok(), head([512, 256], true));
         let jpeg = b"\xff\xd8\xff\xe0\0\x04ab\xff\xff\xc2\0\x11\x08\0\x30\0\x40\x03";
-        assert_eq!(size_in(&mut &jpeg[..]).ok(), Some([64, 48]));
+        assert_eq!(head_in(&mut &jpeg[..]).ok(), head([64, 48], false));
         for length in 0..jpeg.len() - 1 {
-            assert!(size_in(&mut &jpeg[..length]).is_err(), "{length}");
+            assert!(head_in(&mut &jpeg[..length]).is_err(), "{length}");
         }
     }
 
@@ -131,7 +145,7 @@ mod tests {
             &large,
             b"GIF89a and more than enough of it",
         ] {
-            assert!(size_in(&mut &bytes[..]).is_err(), "{bytes:?}");
+            assert!(head_in(&mut &bytes[..]).is_err(), "{bytes:?}");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What of a capture can't be used, and why.
 
+use crate::mask::THRESHOLD;
 use effigy_core::io::file::FormatError;
 use std::{collections::BTreeMap, fmt, path::PathBuf};
 
@@ -22,7 +23,10 @@ pub enum Reason {
     /// `missing_img_files.txt` lists it.
     Listed,
     /// There is a picture and no mask, or a mask and no picture, or neither.
-    Missing,
+    Missing {
+        /// Name of a file in its folder, which has none of the frame.
+        other: Option<String>,
+    },
     /// No header or no image in the file; what was found and what was expected.
     Unreadable(FormatError),
     /// Width and height differ from the camera's.
@@ -42,7 +46,12 @@ pub enum Reason {
     /// The camera's numbers are no camera.
     Camera(FormatError),
     /// No pixel of the mask is of the person, who is in view.
-    EmptyMask,
+    EmptyMask {
+        /// The most that the mask says of any pixel, of 255.
+        highest: u8,
+    },
+    /// Every pixel of the mask is of the person.
+    FullMask,
     /// The mask is of all but the person.
     InvertedMask,
     /// Hardly any joint is inside the mask.
@@ -61,13 +70,14 @@ impl Reason {
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Listed => "listed as missing",
-            Self::Missing => "missing",
+            Self::Missing { .. } => "missing",
             Self::Unreadable(_) => "unreadable",
             Self::Size { .. } => "of another size",
             Self::NoPose { .. } => "without a pose",
             Self::Pose(_) => "with a faulty pose",
             Self::Camera(_) => "faulty cameras",
-            Self::EmptyMask => "with an empty mask",
+            Self::EmptyMask { .. } => "with an empty mask",
+            Self::FullMask => "with a full mask",
             Self::InvertedMask => "with an inverted mask",
             Self::Astray { .. } => "with a pose outside the mask",
             Self::NoBody => "that see nothing of the body",
@@ -79,7 +89,12 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Listed => write!(f, "listed as missing"),
-            Self::Missing => write!(f, "found nothing, expected the file"),
+            Self::Missing { other: None } => write!(f, "found nothing, expected the file"),
+            Self::Missing { other: Some(other) } => write!(
+                f,
+                "found `{other}` in its folder, expected a PNG or JPEG with the frame's number alone \
+                 in its name"
+            ),
             Self::Unreadable(fault) | Self::Pose(fault) | Self::Camera(fault) => fault.fmt(f),
             Self::Size { found, expected } => {
                 let [w, h] = expected;
@@ -90,10 +105,19 @@ impl fmt::Display for Reason {
                 )
             }
             Self::NoPose { poses } => write!(f, "found a picture, expected one of {poses} poses"),
-            Self::EmptyMask => write!(f, "found an empty mask, expected the person"),
-            Self::InvertedMask => {
-                write!(f, "found an inverted mask, expected the person's above 128")
+            Self::EmptyMask { highest: 0 } => {
+                write!(f, "found an empty mask, expected the person")
             }
+            Self::EmptyMask { highest } => write!(
+                f,
+                "found numbers up to {highest} of 255 in the mask, expected the person's above \
+                 {THRESHOLD}"
+            ),
+            Self::FullMask => write!(f, "found a mask that is full, expected the person alone"),
+            Self::InvertedMask => write!(
+                f,
+                "found an inverted mask, expected the person's above {THRESHOLD}"
+            ),
             Self::Astray { inside, of } => write!(
                 f,
                 "found {inside} of {of} joints inside the mask, expected most"

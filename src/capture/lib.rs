@@ -6,7 +6,7 @@
 //! |---|---|
 //! | `calibration.json` | each camera's `K` (9), `R` (9), `T` (3), `distCoeff` (5) and `imgSize` (width, height) |
 //! | `images/CAMERA/00000000.png` … | pictures, PNG or JPEG, 8-bit sRGB |
-//! | `masks/CAMERA/00000000.png` … | how much of each pixel the person covers; more than 128 of 255 is the person |
+//! | `masks/CAMERA/00000000.png` … | masks: how much of each pixel the person covers, more than 128 of 255 is the person; or classes, or an alpha channel, that of the picture too |
 //! | `smpl_params.npz` | the pose of every frame; picture 00000012 has the pose of row 12 |
 //! | `template.npz` | the body model, see [`Template`] |
 //! | `missing_img_files.txt` | pictures that are known not to be there, a line each; may be absent |
@@ -16,8 +16,8 @@
 //! `K` and `R` are in rows. `R` and `T` take the world, in metres, to the camera's axes: x right, y
 //! down, z forward. `K` counts pixels from the middle of the upper left one, as OpenCV does.
 //!
-//! [`Capture::read`] looks at every file without decoding it and leaves out what can't be used;
-//! [`Capture::check`] decodes all of it.
+//! [`Capture::read`] looks at every file without decoding it, decodes 16 masks to see how they are to
+//! be read, and leaves out what can't be used; [`Capture::check`] decodes all of it.
 
 mod calibration;
 mod capture;
@@ -28,17 +28,21 @@ mod layouts;
 mod left_out;
 mod lens;
 pub mod limits;
+mod look;
+mod mask;
 mod picture;
 mod poses;
 mod split;
 mod template;
 mod truth;
+mod units;
 mod write;
 
 pub use calibration::CaptureCamera;
 pub use capture::{Capture, CaptureFrame, CaptureOptions};
 pub use error::CaptureError;
 pub use left_out::{LeftOut, Reason, tally};
+pub use look::MaskLook;
 pub use picture::Picture;
 pub use template::{Influence, Template};
 pub use truth::{Truth, TruthCamera};

@@ -1,9 +1,15 @@
 //! Pictures and masks: decoding, taking out the lens's distortion, writing.
 
-use crate::{calibration::CaptureCamera, error::read_bytes, lens, limits};
+use crate::{
+    calibration::CaptureCamera,
+    capture::Files,
+    error::read_bytes,
+    lens, limits,
+    mask::{MaskFile, MaskRule, THRESHOLD},
+};
 use effigy_core::io::file::FormatError;
 use image::{
-    DynamicImage, ExtendedColorType, ImageEncoder, ImageReader,
+    DynamicImage, ExtendedColorType, ImageEncoder, ImageFormat, ImageReader,
     codecs::png::{CompressionType, FilterType, PngEncoder},
 };
 use std::{
@@ -11,9 +17,6 @@ use std::{
     io::{self, Cursor},
     path::Path,
 };
-
-/// Above this a mask's pixel is the person.
-pub const MASK_THRESHOLD: u8 = 128;
 
 /// A picture and its mask, in rows from the upper left.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,7 +36,15 @@ pub struct Pixels<const C: usize> {
     pub pixels: Vec<[u8; C]>,
 }
 
-fn decode(path: &Path) -> Result<DynamicImage, FormatError> {
+/// A decoded PNG or JPEG.
+pub struct Decoded {
+    pub image: DynamicImage,
+    /// Whether its numbers have the noise of a JPEG.
+    pub is_lossy: bool,
+}
+
+/// Decodes a file.
+pub fn decode(path: &Path) -> Result<Decoded, FormatError> {
     let fault = |found: String| FormatError::container(found, "a whole PNG or JPEG");
     let bytes = read_bytes(path, limits::IMAGE).map_err(|error| fault(error.to_string()))?;
     if is_cut(&bytes) {
@@ -47,7 +58,9 @@ fn decode(path: &Path) -> Result<DynamicImage, FormatError> {
     most.max_image_height = Some(limits::SIDE);
     most.max_alloc = Some(16 * limits::PIXELS);
     reader.limits(most);
-    reader.decode().map_err(|error| fault(error.to_string()))
+    let is_lossy = reader.format() == Some(ImageFormat::Jpeg);
+    let image = reader.decode().map_err(|error| fault(error.to_string()))?;
+    Ok(Decoded { image, is_lossy })
 }
 
 /// Whether a JPEG ends before it says so; its decoder would fill in grey.
@@ -60,16 +73,7 @@ fn is_cut(bytes: &[u8]) -> bool {
 
 /// Decodes a picture's colours. Alpha is ignored.
 pub fn colors(path: &Path) -> Result<Pixels<3>, FormatError> {
-    let image = decode(path)?.into_rgb8();
-    Ok(Pixels {
-        size: image.dimensions().into(),
-        pixels: image.into_raw().as_chunks().0.to_vec(),
-    })
-}
-
-/// Decodes a mask as its file has it.
-pub fn coverage(path: &Path) -> Result<Pixels<1>, FormatError> {
-    let image = decode(path)?.into_luma8();
+    let image = decode(path)?.image.into_rgb8();
     Ok(Pixels {
         size: image.dimensions().into(),
         pixels: image.into_raw().as_chunks().0.to_vec(),
@@ -77,8 +81,20 @@ pub fn coverage(path: &Path) -> Result<Pixels<1>, FormatError> {
 }
 
 impl<const C: usize> Pixels<C> {
-    /// The pixels without the lens's distortion; `outside` where the picture has none.
-    fn undistorted(self, camera: &CaptureCamera, outside: [u8; C]) -> Vec<[u8; C]> {
+    /// The pixels of a camera's picture without the lens's distortion; `outside` where the picture
+    /// has none.
+    ///
+    /// # Errors
+    /// When they are of another size.
+    pub fn of(self, camera: &CaptureCamera, outside: [u8; C]) -> Result<Vec<[u8; C]>, FormatError> {
+        let [w, h] = camera.camera.size;
+        if self.size != [w, h] {
+            let found = format!("{} x {} px", self.size[0], self.size[1]);
+            return Err(FormatError::container(found, format!("{w} x {h}")));
+        }
+        if !lens::distorts(&camera.distortion) {
+            return Ok(self.pixels);
+        }
         let mix = |place: Option<lens::Bilinear>| match place {
             None => outside,
             Some(place) => std::array::from_fn(|channel| {
@@ -87,16 +103,16 @@ impl<const C: usize> Pixels<C> {
                 (0..4).map(of).sum::<f64>().round() as u8
             }),
         };
-        lens::undistortion(&camera.camera, &camera.distortion)
+        Ok(lens::undistortion(&camera.camera, &camera.distortion)
             .map(mix)
-            .collect()
+            .collect())
     }
 }
 
 impl Picture {
     /// Whether a pixel is the person's.
     pub fn is_person(&self, pixel: usize) -> bool {
-        self.mask[pixel] > MASK_THRESHOLD
+        self.mask[pixel] > THRESHOLD
     }
 
     /// Which pixels have one of the other kind, person or not, within a distance, px.
@@ -147,37 +163,13 @@ impl Picture {
     }
 
     /// Decodes a picture and its mask, and takes out the lens's distortion.
-    pub fn read(picture: &Path, mask: &Path, camera: &CaptureCamera) -> Result<Self, Fault> {
-        let size = camera.camera.size;
-        let colors = colors(picture).map_err(Fault::Picture)?;
-        let coverage = coverage(mask).map_err(Fault::Mask)?;
-        let fits = |found: [u32; 2]| {
-            let size_fault = || {
-                let [w, h] = size;
-                let found = format!("{} x {} px", found[0], found[1]);
-                FormatError::container(found, format!("{w} x {h}"))
-            };
-            if found == size {
-                Ok(())
-            } else {
-                Err(size_fault())
-            }
-        };
-        fits(colors.size).map_err(Fault::Picture)?;
-        fits(coverage.size).map_err(Fault::Mask)?;
-        let (color, coverage) = if lens::distorts(&camera.distortion) {
-            (
-                colors.undistorted(camera, [0; 3]),
-                coverage.undistorted(camera, [0]),
-            )
-        } else {
-            (colors.pixels, coverage.pixels)
-        };
-        let is_person = |&[part]: &[u8; 1]| if part > MASK_THRESHOLD { 255 } else { 0 };
+    pub fn read(files: &Files, camera: &CaptureCamera, rule: MaskRule) -> Result<Self, Fault> {
+        let colors = colors(&files.picture).and_then(|colors| colors.of(camera, [0; 3]));
+        let mask = MaskFile::read(files).and_then(|file| file.mask(camera, rule));
         Ok(Self {
-            size,
-            color,
-            mask: coverage.iter().map(is_person).collect(),
+            size: camera.camera.size,
+            color: colors.map_err(Fault::Picture)?,
+            mask: mask.map_err(Fault::Mask)?.person,
         })
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Of SMPL-X and SMPL: `global_orient` F, 3; `body_pose` F, 63 (SMPL: 69); `transl` F, 3; `betas` 1,
 //! B; of SMPL-X also `jaw_pose`, `leye_pose`, `reye_pose` F, 3; `left_hand_pose`, `right_hand_pose`
-//! F, 45; `expression` F, E. Of any skeleton: `poses` F, J, 3 in place of all rotations. Arrays with
+//! F, 45, or fewer numbers, which count the model's components; `expression` F, E. Of any skeleton: `poses` F, J, 3 in place of all rotations. Arrays with
 //! one row hold it for every frame; all but the translation and the body's pose may be absent.
 //!
 //! Rotations are axis-angle, radians, relative to the parent. The models add `transl` after the root
@@ -20,9 +20,12 @@ use effigy_core::{
     },
     io::file::FormatError,
 };
-use effigy_formats::npz::{Npz, NpzWriter};
+use effigy_formats::{
+    assumption::Assumption,
+    npz::{Npz, NpzWriter},
+};
 use glam::DVec3;
-use std::path::Path;
+use std::{ops::RangeInclusive, path::Path};
 
 /// The file's name.
 pub const FILE: &str = "smpl_params.npz";
@@ -63,6 +66,17 @@ struct Table {
 struct Part {
     first: usize,
     table: Table,
+    /// Which of the [`Hands`] these are components of; None: they are rotations.
+    components: Option<usize>,
+}
+
+/// What a body model has for hands, the left and the right.
+pub struct Hands {
+    /// Rotations at rest of files without flat hands.
+    pub mean: [[f64; 3 * HAND]; 2],
+    /// What a hand's numbers count where they are no rotations: changes of all its rotations. Empty
+    /// where the model lacks them.
+    pub components: [Vec<[f64; 3 * HAND]>; 2],
 }
 
 /// The poses of a file.
@@ -100,22 +114,30 @@ fn metadata(name: &str, found: impl std::fmt::Display, expected: impl ToString) 
     FormatError::metadata(name, found, expected)
 }
 
-/// An array as rows of `width` numbers; None where there is none.
-fn table(arrays: &mut Npz, name: &str, width: usize) -> Result<Option<Table>, FormatError> {
+/// An array as rows of so many numbers; None where there is none.
+fn table(
+    arrays: &mut Npz,
+    name: &str,
+    widths: RangeInclusive<usize>,
+) -> Result<Option<Table>, FormatError> {
     if !arrays.has(name) {
         return Ok(None);
     }
     let array = arrays.take(name)?;
-    let shape = array.shape();
-    let found = shape.iter().skip(1).product::<usize>();
-    // A single row may come without its dimension.
-    let fits = found == width || (shape.len() == 1 && shape[0] == width);
+    let width = match array.shape() {
+        // A single row may come without its dimension.
+        [numbers] => *numbers,
+        shape => shape.iter().skip(1).product(),
+    };
+    let fits = widths.contains(&width);
     let numbers = if fits { array.numbers() } else { vec![] };
     if numbers.is_empty() || numbers.len() / width > limits::FRAMES {
+        let shape = array.shape();
+        let most = widths.end();
         return Err(metadata(
             name,
             format!("the shape {shape:?}"),
-            format!("1 to {} rows of {width} numbers", limits::FRAMES),
+            format!("1 to {} rows of {most} numbers", limits::FRAMES),
         ));
     }
     Ok(Some(Table { width, numbers }))
@@ -155,14 +177,18 @@ impl Poses {
         let wanted = |name: &str| NAMES.contains(&name);
         let mut arrays = Npz::some_from_bytes(bytes, 64 << 20, wanted)?;
         let parts = if arrays.has("poses") {
-            table(&mut arrays, "poses", 3 * joints)?
-                .map(|table| Part { first: 0, table })
+            table(&mut arrays, "poses", 3 * joints..=3 * joints)?
+                .map(|table| Part {
+                    first: 0,
+                    table,
+                    components: None,
+                })
                 .into_iter()
                 .collect()
         } else {
             smpl_parts(&mut arrays, joints)?
         };
-        let Some(translation) = table(&mut arrays, "transl", 3)? else {
+        let Some(translation) = table(&mut arrays, "transl", 3..=3)? else {
             return Err(metadata("transl", "nothing", "the root's translations"));
         };
         // More than anyone's expression has is left out.
@@ -205,25 +231,50 @@ impl Poses {
             .map_or(0, |table| table.width.min(EXPRESSION))
     }
 
-    /// A frame's pose. `mean_hands`: added to the rotations of both hands' joints where these don't
-    /// turn from a flat hand.
+    /// What is taken where the file's hands count components that the model lacks.
+    pub fn assumptions(&self, hands: &Hands) -> Vec<Assumption> {
+        let lacks = |part: &Part| {
+            part.components
+                .is_some_and(|of| hands.components[of].is_empty())
+        };
+        let found = self.parts.iter().find(|part| lacks(part));
+        let assumption = |part: &Part| Assumption {
+            what: "fingers",
+            taken: "straight".into(),
+            because: format!(
+                "hands have {} numbers, which count components that the body model lacks: \
+                 hands_componentsl and hands_componentsr",
+                part.table.width
+            ),
+        };
+        found.map(assumption).into_iter().collect()
+    }
+
+    /// A frame's pose. `hands`: of the body model.
     ///
     /// # Errors
     /// When a number is not finite, or far from any pose.
-    pub fn pose(
-        &self,
-        frame: usize,
-        mean_hands: &[[f64; 3 * HAND]; 2],
-    ) -> Result<Pose, FormatError> {
+    pub fn pose(&self, frame: usize, hands: &Hands) -> Result<Pose, FormatError> {
         let mut pose = Pose::rest(self.joints, 0);
         for part in &self.parts {
-            let turns = part.table.row(frame).as_chunks::<3>().0;
-            for (joint, turn) in turns.iter().enumerate() {
+            let row = part.table.row(frame);
+            let mut sum = [0.0; 3 * HAND];
+            let numbers = match part.components {
+                None => row,
+                Some(of) => {
+                    for (component, weight) in hands.components[of].iter().zip(row) {
+                        let pairs = sum.iter_mut().zip(component);
+                        pairs.for_each(|(sum, number)| *sum += weight * number);
+                    }
+                    &sum
+                }
+            };
+            for (joint, turn) in numbers.as_chunks::<3>().0.iter().enumerate() {
                 pose.rotation[part.first + joint] = DVec3::from(*turn);
             }
         }
         if !self.flat_hands && self.joints == SMPL_X {
-            for (first, mean) in HANDS.into_iter().zip(mean_hands) {
+            for (first, mean) in HANDS.into_iter().zip(&hands.mean) {
                 for (joint, turn) in mean.as_chunks::<3>().0.iter().enumerate() {
                     pose.rotation[first + joint] += DVec3::from(*turn);
                 }
@@ -240,7 +291,8 @@ impl Poses {
             return Err(metadata("rotation", found, "radians"));
         }
         if far(&pose.translation, LENGTH) {
-            return Err(metadata("transl", pose.translation, "metres"));
+            let expected = "metres; millimetres are to be divided by 1000";
+            return Err(metadata("transl", pose.translation, expected));
         }
         if let Some(odd) = pose.expression.iter().find(|e| !is_within(**e, 1e3)) {
             return Err(metadata("expression", odd, "numbers of an expression"));
@@ -293,8 +345,15 @@ fn smpl_parts(arrays: &mut Npz, joints: usize) -> Result<Vec<Part>, FormatError>
         needed,
     } in names
     {
-        match table(arrays, name, 3 * joints)? {
-            Some(table) => parts.push(Part { first, table }),
+        let hand = HANDS.iter().position(|&hand| hand == first);
+        let all = 3 * joints;
+        let fewest = if hand.is_some() { 1 } else { all };
+        match table(arrays, name, fewest..=all)? {
+            Some(table) => parts.push(Part {
+                first,
+                components: hand.filter(|_| table.width < all),
+                table,
+            }),
             None if needed => {
                 return Err(metadata(name, "nothing", "rotations, or an array `poses`"));
             }
@@ -354,6 +413,13 @@ mod tests {
         file.finish().expect("an archive")
     }
 
+    fn hands(mean: [[f64; 3 * HAND]; 2]) -> Hands {
+        Hands {
+            mean,
+            components: [vec![], vec![]],
+        }
+    }
+
     /// The ten arrays for two frames, all numbers different.
     fn smpl_x() -> Vec<u8> {
         let wave = |count: usize, phase: f64| -> Vec<f64> {
@@ -382,7 +448,7 @@ mod tests {
             (poses.frames, poses.expression(), poses.betas.len()),
             (2, 10, 10)
         );
-        let pose = poses.pose(1, &[[0.0; 45]; 2]).expect("a pose");
+        let pose = poses.pose(1, &hands([[0.0; 45]; 2])).expect("a pose");
         let of = |at: usize, phase: f64| 0.5 * (phase + at as f64).sin();
         assert_eq!(pose.rotation[0].x, of(3, 0.1));
         assert_eq!(pose.rotation[21].z, of(125, 0.2));
@@ -395,7 +461,7 @@ mod tests {
     #[test]
     fn the_root_turns_about_its_joint_before_transl_is_added() {
         let poses = Poses::parse(&smpl_x(), SMPL_X).expect("poses");
-        let pose = poses.pose(0, &[[0.0; 45]; 2]).expect("a pose");
+        let pose = poses.pose(0, &hands([[0.0; 45]; 2])).expect("a pose");
         let rest = DVec3::new(0.01, -0.35, 0.02);
         let skeleton = Skeleton {
             name: vec!["root".into()],
@@ -421,10 +487,44 @@ mod tests {
             ("flat_hand_mean", &[], &[0.0]),
         ]);
         let poses = Poses::parse(&bytes, SMPL_X).expect("poses");
-        let pose = poses.pose(1, &[[0.5; 45], [0.125; 45]]).expect("a pose");
+        let pose = poses
+            .pose(1, &hands([[0.5; 45], [0.125; 45]]))
+            .expect("a pose");
         assert_eq!(pose.rotation[0], DVec3::new(0.1, 0.2, 0.3));
         assert_eq!(pose.rotation[30], DVec3::splat(0.75));
         assert_eq!(pose.rotation[54], DVec3::splat(0.125));
+    }
+
+    #[test]
+    fn hands_may_count_the_models_components() {
+        let bytes = file(&[
+            ("global_orient", &[1, 3], &[0.0; 3]),
+            ("body_pose", &[1, 63], &[0.0; 63]),
+            ("left_hand_pose", &[2, 2], &[0.0, 0.0, 2.0, -1.0]),
+            ("right_hand_pose", &[1, 1], &[3.0]),
+            ("transl", &[2, 3], &[0.0; 6]),
+            ("flat_hand_mean", &[], &[0.0]),
+        ]);
+        let poses = Poses::parse(&bytes, SMPL_X).expect("poses");
+        let row = |of: fn(usize) -> f64| std::array::from_fn(of);
+        let model = Hands {
+            mean: [[0.5; 45]; 2],
+            components: [
+                vec![row(|at| at as f64), [0.25; 45], [9.0; 45]],
+                vec![[1.0; 45]],
+            ],
+        };
+        assert_eq!(poses.assumptions(&model), []);
+        let pose = poses.pose(1, &model).expect("a pose");
+        // Twice 3, 4, 5 less a quarter, from the mean.
+        assert_eq!(pose.rotation[26], DVec3::new(6.25, 8.25, 10.25));
+        assert_eq!(pose.rotation[54], DVec3::splat(3.5));
+        let bare = hands([[0.5; 45]; 2]);
+        assert!(poses.assumptions(&bare)[0].because.contains("2 numbers"));
+        assert_eq!(
+            poses.pose(1, &bare).expect("a pose").rotation[26],
+            DVec3::splat(0.5)
+        );
     }
 
     #[test]
@@ -438,16 +538,16 @@ mod tests {
         assert!(error(&[transl], 7).contains("frames of 7 joints"));
         assert!(error(&[transl], SMPL_X).contains("global_orient"));
         assert!(error(&[("poses", &[2, 7, 3], &[0.0; 42])], 7).contains("transl"));
-        let components = ("left_hand_pose", &[2, 12][..], &[0.0; 24][..]);
+        let long = ("left_hand_pose", &[2, 46][..], &[0.0; 92][..]);
         let root = ("global_orient", &[2, 3][..], &[0.0; 6][..]);
         let body = ("body_pose", &[2, 63][..], &[0.0; 126][..]);
-        assert!(error(&[root, body, components, transl], SMPL_X).contains("rows of 45"));
+        assert!(error(&[root, body, long, transl], SMPL_X).contains("rows of 45"));
         assert!(error(&[("poses", &[3, 1, 3], &[0.0; 9]), transl], 1).contains("3 and of 2"));
         let odd = [0.0, f64::NAN, 0.0, 0.0, 0.0, 1e9];
         let poses = parse(&[("poses", &[2, 1, 3], &odd), transl], 1).expect("poses");
         for (frame, word) in [(0, "NaN"), (1, "1000000000")] {
             let error = poses
-                .pose(frame, &[[0.0; 45]; 2])
+                .pose(frame, &hands([[0.0; 45]; 2]))
                 .expect_err("no pose")
                 .to_string();
             assert!(error.contains(word), "{error}");

@@ -14,11 +14,12 @@
 //! | `input_joints` | I | joints that networks see; default 1 to 21 |
 //! | `head_joints` | H | joints whose parts see the expression; default 15 and, of SMPL-X, 22 to 24 |
 //! | `joint_names` | J, W | UTF-8 bytes, padded with zeros; may be absent |
+//! | `hands_meanl`, `hands_componentsl` | 45; C, 45 | the left hand at rest, and what hands of fewer numbers count; so for the right, `r`; may be absent |
 
 use crate::{
     error::{CaptureError, content, fault, read_bytes},
     limits,
-    poses::{HAND, SMPL, SMPL_X, check_joints},
+    poses::{HAND, Hands, SMPL, SMPL_X, check_joints},
 };
 use effigy_core::{
     avatar::{Pose, Skeleton},
@@ -34,7 +35,7 @@ use std::path::Path;
 /// The file's name.
 pub const FILE: &str = "template.npz";
 /// Every array that is read.
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 15] = [
     "v_template",
     "f",
     "weights",
@@ -48,6 +49,8 @@ const NAMES: [&str; 13] = [
     "joint_names",
     "hands_meanl",
     "hands_meanr",
+    "hands_componentsl",
+    "hands_componentsr",
 ];
 /// How far both hips turn outwards where the file has no canonical pose, degrees.
 const HIPS: f32 = 25.0;
@@ -93,8 +96,7 @@ pub struct Template {
 /// A template with what poses need of it.
 pub struct Model {
     pub template: Template,
-    /// Rotations of the left and the right hand at rest of files without flat hands.
-    pub mean_hands: [[f64; 3 * HAND]; 2],
+    pub hands: Hands,
 }
 
 impl Template {
@@ -256,14 +258,17 @@ impl Archive {
             head_joints: self.some_joints("head_joints", head)?,
             expression: 0,
         };
-        let mean_hands = [
-            self.mean_hand("hands_meanl")?,
-            self.mean_hand("hands_meanr")?,
-        ];
-        Ok(Model {
-            template,
-            mean_hands,
-        })
+        let hands = Hands {
+            mean: [
+                self.mean_hand("hands_meanl")?,
+                self.mean_hand("hands_meanr")?,
+            ],
+            components: [
+                self.hand_components("hands_componentsl")?,
+                self.hand_components("hands_componentsr")?,
+            ],
+        };
+        Ok(Model { template, hands })
     }
 
     fn vertices(&mut self) -> Result<Vec<DVec3>, FormatError> {
@@ -460,5 +465,17 @@ impl Archive {
         array.expect_shape(&[3 * HAND])?;
         let numbers = array.floats()?;
         Ok(std::array::from_fn(|at| f64::from(numbers[at])))
+    }
+
+    fn hand_components(&mut self, name: &str) -> Result<Vec<[f64; 3 * HAND]>, FormatError> {
+        if self.parent.len() != SMPL_X || !self.arrays.has(name) {
+            return Ok(vec![]);
+        }
+        let array = self.arrays.take(name)?;
+        let count = array.dimension(0)?;
+        array.expect_shape(&[count, 3 * HAND])?;
+        let numbers = array.floats()?;
+        let rows = numbers.as_chunks::<{ 3 * HAND }>().0;
+        Ok(rows.iter().map(|row| row.map(f64::from)).collect())
     }
 }

@@ -4,6 +4,7 @@
 use crate::{
     files, fit,
     options::{self, count},
+    progress,
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
@@ -183,10 +184,14 @@ fn run_fits(args: &Args) -> anyhow::Result<String> {
         yaws: YAWS.to_vec(),
         size: args.size,
     };
+    let bar = progress::open_ended();
     let AblationSweep {
         rows: tried,
         illustrated: shown,
-    } = sweep(&args.dataset, &tries, &|step| tracing::info!("{step}"))?;
+    } = sweep(&args.dataset, &tries, &|step| {
+        bar.set_message(step.to_owned())
+    })?;
+    bar.finish_and_clear();
     let dataset = Dataset::open(&args.dataset)?;
     let times = frame_times(&tried, &dataset, args.timing_size);
     let text = fits_text(&tried, &times);

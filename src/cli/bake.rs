@@ -1,7 +1,7 @@
 //! `effigy bake`: makes an avatar or a clip from the source files that tools/fetch_assets.sh gets.
 
 use crate::{
-    files,
+    assets, files,
     options::{count, named},
     progress,
 };
@@ -34,7 +34,7 @@ enum BakeCommand {
 #[derive(clap::Args, Debug)]
 struct AssetArgs {
     /// Folder that tools/fetch_assets.sh filled
-    #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
+    #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value_os_t = assets::folder())]
     assets: PathBuf,
     /// Person to make, 1 or 2: bodies, skin, hair and clothes differ
     #[arg(long, value_name = "N", value_parser = named(Person::NAMES, Person::ALL), default_value = "1")]

@@ -4,6 +4,7 @@
 use crate::{
     files,
     options::{self, DeviceArgs},
+    progress,
 };
 use anyhow::ensure;
 use effigy::vulkan::Gpu;
@@ -37,7 +38,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         largest: (args.max_copy as u64) << 20,
     };
     let command = std::env::args().collect();
-    let mut show = |what: &str| tracing::info!("measuring {what}");
+    let bar = progress::items(0, "measurements");
+    let mut show = |what: &str, done: usize, all: usize| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+        bar.set_message(what.to_owned());
+    };
     let mut kept = Ok(());
     // What is measured by then is not lost if the program is stopped.
     let mut keep = |report: &RatesReport| {
@@ -46,6 +52,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         }
     };
     let report = measure_rates(&gpu, &settings, command, &mut show, &mut keep)?;
+    bar.finish_and_clear();
     kept?;
     print_copies(&report.copies);
     print_fills(&report.fills, report.fill_size);

@@ -3,7 +3,8 @@
 
 use crate::{
     files,
-    options::{DeviceArgs, KeysArg, SortArg},
+    options::{self, DeviceArgs, KeysArg, SortArg},
+    progress,
 };
 use anyhow::ensure;
 use effigy::vulkan::{
@@ -20,7 +21,13 @@ use effigy_measure::{
     report::{DeviceReport, Program, bits_of_keys},
     sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name},
 };
-use std::{iter, path::PathBuf, sync::Arc, time::Instant};
+use std::{
+    fmt::Write,
+    iter,
+    path::PathBuf,
+    sync::Arc,
+    time::{Duration, Instant},
+};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -50,6 +57,9 @@ pub struct Args {
         value_parser = clap::value_parser!(u16).range(1..)
     )]
     runs: u16,
+    /// Minutes in all; what would take longer is left out, the most keys first
+    #[arg(long, value_name = "N", default_value = "1", value_parser = options::minutes)]
+    minutes: f64,
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -155,44 +165,64 @@ fn contenders(variant: SortVariant, gpu: &Gpu, every_size: bool) -> Vec<Contende
         .collect()
 }
 
-/// Measures every count, key size and contender, printing a line per count and key size. With each
-/// line the report is written: it is not lost if the program is stopped.
+/// Measures every count, key size and contender, printing a line per count and key size, as long as
+/// the next line is expected to fit into the time. With each line the report is written: it is not
+/// lost if the program is stopped.
 fn measure_all(
     gpu: &Arc<Gpu>,
     args: &Args,
     contenders: &[Contender],
     report: &mut SortsReport,
 ) -> anyhow::Result<()> {
-    print!("{:>9} {:>4}", "keys", "bits");
+    let mut heading = format!("{:>9} {:>4}", "keys", "bits");
     for contender in contenders {
-        print!(" {:>10}", contender.name());
+        write!(heading, " {:>10}", contender.name())?;
     }
-    println!();
-    for &bits in &args.keys {
-        let bits = KeyBits::from(bits);
-        let counts = iter::successors(Some(args.min_keys), |count| count.checked_mul(4));
-        for count in counts.take_while(|&count| count <= args.max_keys) {
-            let keys = keys(count);
+    println!("{heading}");
+    let limit = Duration::from_secs_f64(60.0 * args.minutes);
+    let bar = progress::within(limit);
+    // What the last count took, by key size. But for the warm-up, four times as many keys take at
+    // most four times as long.
+    let mut took = vec![Duration::ZERO; args.keys.len()];
+    let counts = iter::successors(Some(args.min_keys), |count| count.checked_mul(4));
+    for count in counts.take_while(|&count| count <= args.max_keys) {
+        let unsorted = keys(count);
+        for (&bits, took) in args.keys.iter().zip(&mut took) {
+            let bits = KeyBits::from(bits);
+            let name = format!("{count} keys of {} bits", bits_of_keys(bits));
+            let warm_up = WARM_UP * contenders.len() as u32;
+            if bar.elapsed() + warm_up + 4 * took.saturating_sub(warm_up) > limit {
+                bar.finish_and_clear();
+                println!(
+                    "left out: {name} and more, which need more than --minutes {}",
+                    args.minutes
+                );
+                return Ok(());
+            }
+            let begun = Instant::now();
             let sorted = Keys {
-                order: standalone::expected(&keys, bits),
-                keys,
+                order: standalone::expected(&unsorted, bits),
+                keys: unsorted.clone(),
                 bits,
             };
-            print!("{count:>9} {:>4}", bits_of_keys(bits));
+            let mut line = format!("{count:>9} {:>4}", bits_of_keys(bits));
             for contender in contenders {
+                bar.set_message(format!("{name}, {}", contender.name()));
                 let row = row(gpu, &sorted, contender, args.runs);
                 match row.speed {
-                    Some(speed) => print!(" {:>10.2}", speed.mkeys_per_s),
-                    None => print!(" {:>10}", "–"),
+                    Some(speed) => write!(line, " {:>10.2}", speed.mkeys_per_s)?,
+                    None => write!(line, " {:>10}", "–")?,
                 }
                 report.rows.push(row);
             }
-            println!();
+            *took = begun.elapsed();
+            bar.suspend(|| println!("{line}"));
             if let Some(path) = &args.json {
                 files::write_json(path, report)?;
             }
         }
     }
+    bar.finish_and_clear();
     Ok(())
 }
 

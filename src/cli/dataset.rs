@@ -148,7 +148,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let truth = GroundTruth::new(&dressed, args.rays);
     let mut poses = poses(&clips, &shots, &dressed.avatar.skeleton);
     make_faces(&mut poses, &shots, args.faces, args.body.seed);
-    let bar = progress::steps(shots.len() as u64);
+    let bar = progress::items(shots.len() as u64, "frames");
     let writer = DatasetWriter::new(
         &args.out,
         &dressed.avatar,
@@ -201,7 +201,7 @@ fn shoot(args: &Args, clips: &[Clip], shots: &[(usize, Shot)]) -> anyhow::Result
         flaws: shooting.flaws(),
         seed: args.body.seed,
     };
-    let bar = progress::steps(frames.len() as u64);
+    let bar = progress::items(frames.len() as u64, "frames");
     let summary = pictures::shoot(&args.out, clothed, &frames, &options, &|| bar.inc(1))?;
     bar.finish_and_clear();
     let held = frames.iter().filter(|frame| frame.held).count();

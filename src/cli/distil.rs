@@ -137,7 +137,7 @@ fn fit(args: &DistilArgs, job: &Job, checkpoint: &Checkpoint) -> anyhow::Result<
         job.file.display()
     );
     let options = args.options(checkpoint.len());
-    let bar = progress::steps(options.epochs as u64);
+    let bar = progress::items(options.epochs as u64, "epochs");
     let name = job.file.file_stem().unwrap_or_default().to_string_lossy();
     let distilled = distil(checkpoint, &name, &trained, &options, &|done, what| {
         bar.set_position(done as u64);

@@ -87,7 +87,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some(folder) = &args.images {
         write_images(&dataset, &avatar, &frames, &args, folder)?;
     }
-    let bar = progress::steps(frames.len() as u64);
+    let bar = progress::items(frames.len() as u64, "frames");
     let plan = EvaluationPlan {
         frames,
         yaws: args.yaw.clone(),

@@ -2,7 +2,7 @@
 //! saw.
 
 use crate::{
-    evaluate_video, files,
+    assets, evaluate_video, files,
     options::{self, DeviceArgs, count, named},
     progress,
     source::PoseProjection,
@@ -12,7 +12,6 @@ use effigy::vulkan::Gpu;
 use effigy_capture::Capture;
 use effigy_core::{avatar::Avatar, io::file::replace, scene::FrameImage};
 use effigy_learn::{
-    bake::Assets,
     evaluate::side_by_side,
     score::{
         AS_GIVEN, Candidate, Compared, Ground, Means, Region, Report, Scorer, View, ViewChoice,
@@ -68,7 +67,7 @@ pub struct CaptureArgs {
     #[arg(long, value_parser = named(LOSS_NAMES, LOSSES))]
     perceptual: Option<Loss>,
     /// Folder that tools/fetch_perceptual.sh filled
-    #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
+    #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value_os_t = assets::folder())]
     weights: PathBuf,
     #[command(flatten)]
     device: DeviceArgs,
@@ -109,6 +108,10 @@ fn ground(text: &str) -> Result<Ground, String> {
 
 pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
     let mut capture = Capture::read(job.capture)?;
+    files::print_assumptions(job.capture, &capture.assumptions);
+    if !capture.masks.faults.is_empty() {
+        eprintln!("masks: {}", capture.masks);
+    }
     let avatar = match job.avatar {
         Some(path) => Some(args.project.apply(fitting(path, &capture)?)),
         None => None,
@@ -259,7 +262,10 @@ fn perceptual(args: &CaptureArgs) -> anyhow::Result<Option<Perceptual>> {
         None => Network::Alex,
     };
     if args.perceptual.is_none() && network.missing(&args.weights).is_some() {
-        eprintln!("without ST-LPIPS: tools/fetch_perceptual.sh gets its weights");
+        eprintln!(
+            "without ST-LPIPS: {} lacks its weights, which tools/fetch_perceptual.sh gets",
+            args.weights.display()
+        );
         return Ok(None);
     }
     let perceptual = Perceptual::read(network, &args.weights)?;

@@ -180,7 +180,7 @@ fn with_progress(
     epochs: usize,
     run: impl FnOnce(effigy_learn::fit::FitProgress) -> Result<Fitted, effigy_learn::LearnError>,
 ) -> anyhow::Result<Fitted> {
-    let bar = progress::steps(epochs as u64);
+    let bar = progress::items(epochs as u64, "epochs");
     let fitted = run(&|done: usize, what: &str| {
         bar.set_position(done as u64);
         bar.set_message(what.to_owned());

@@ -4,6 +4,7 @@
 //! lib ── a module per subcommand ──┬─ source: the avatar and clips that the user names
 //!  │                               ├─ options: arguments that several subcommands share
 //!  │                               ├─ backend: Vulkan or WebGPU
+//!  │                               ├─ assets: the folder of source files and weights
 //!  │                               └─ files, progress: output
 //!  ├─ groups: the subcommands as `effigy --help` lists them
 //!  └─ advice: what a user can do about an error
@@ -11,6 +12,7 @@
 
 mod advice;
 mod analyse;
+mod assets;
 mod backend;
 mod bake;
 mod bench;

@@ -1,35 +1,197 @@
-//! Progress bars of long jobs.
+//! Progress of long jobs: a bar on a terminal, and a line now and then where there is none.
 
-use indicatif::{ProgressBar, ProgressStyle};
-use std::fmt::Arguments;
+use indicatif::{
+    HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle, TermLike,
+};
+use std::{
+    fmt::{Arguments, Write},
+    io::{self, IsTerminal},
+    sync::{Mutex, PoisonError},
+    time::{Duration, Instant},
+};
 
-fn bar(length: u64, template: &str) -> ProgressBar {
+/// Without a terminal nothing is said before.
+const FIRST: Duration = Duration::from_secs(5);
+/// Longest time between two lines without a terminal.
+const LONGEST: Duration = Duration::from_secs(60);
+
+/// A bar whose `rest` is a template of indicatif's; `{left}` in it is the time that `left` expects,
+/// and nothing as long as that is zero.
+fn bar(
+    length: u64,
+    width: usize,
+    rest: &str,
+    left: impl Fn(&ProgressState) -> Duration + Clone + Send + Sync + 'static,
+) -> ProgressBar {
+    let is_terminal = io::stderr().is_terminal();
+    let template = match width {
+        1.. if is_terminal => format!("{{bar:{width}}} {rest}"),
+        _ => rest.to_owned(),
+    };
+    let write_left = move |state: &ProgressState, to: &mut dyn Write| {
+        let left = left(state);
+        if !left.is_zero() {
+            // A bar without it is no fault.
+            let _ = write!(to, ", {:#} left", HumanDuration(left));
+        }
+    };
     // A template that indicatif can't read costs its layout, not the job.
-    let style =
-        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(length).with_style(style)
+    let style = ProgressStyle::with_template(&template)
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .with_key("left", write_left);
+    let (target, tick) = if is_terminal {
+        (ProgressDrawTarget::stderr(), Duration::from_millis(200))
+    } else {
+        let lines = ProgressDrawTarget::term_like(Box::new(Lines::default()));
+        (lines, Duration::from_secs(1))
+    };
+    let bar = ProgressBar::with_draw_target(Some(length), target).with_style(style);
+    // Time goes on while a step takes long.
+    bar.enable_steady_tick(tick);
+    bar
 }
 
 /// A bar over items of one kind, with the time that is left. A length of 0 is set later.
 pub fn items(length: u64, unit: &str) -> ProgressBar {
-    bar(
-        length,
-        &format!("{{bar:40}} {{pos}}/{{len}} {unit}, {{eta}} left {{msg}}"),
-    )
+    let rest = format!("{{pos}}/{{len}} {unit}{{left}} {{msg}}");
+    bar(length, 40, &rest, ProgressState::eta)
 }
 
-/// Says something beside a bar, whether it is shown or not: indicatif itself is silent where there
-/// is no terminal.
+/// A bar over steps with names, with the time so far and what is left if the others take as long.
+pub fn steps(length: u64) -> ProgressBar {
+    let rest = "{pos}/{len} {msg} {elapsed}{left}";
+    bar(length, 30, rest, ProgressState::eta)
+}
+
+/// A bar over the share of a job that says itself what is left, in thousandths.
+pub fn share() -> ProgressBar {
+    bar(1000, 30, "{msg}", |_| Duration::ZERO)
+}
+
+/// What is done of a job that ends after so long at the latest.
+pub fn within(limit: Duration) -> ProgressBar {
+    let left = move |state: &ProgressState| limit.saturating_sub(state.elapsed());
+    bar(0, 0, "{msg} {elapsed}{left}", left)
+}
+
+/// What is done of a job whose end nobody knows.
+pub fn open_ended() -> ProgressBar {
+    bar(0, 0, "{msg} {elapsed}", |_| Duration::ZERO)
+}
+
+/// Says something beside a bar, whether there is a terminal or not.
 pub fn say(bar: &ProgressBar, text: Arguments) {
     bar.suspend(|| eprintln!("{text}"));
 }
 
-/// The candidate that is tried while the ways to draw are timed.
-pub fn tuning() -> ProgressBar {
-    bar(0, "{msg} {elapsed}")
+/// Where a bar is drawn without a terminal: of what it shows, a line now and then goes to standard
+/// error.
+#[derive(Debug)]
+struct Lines {
+    begun: Instant,
+    drawn: Mutex<Drawn>,
 }
 
-/// A bar over steps that take unequal times, with the name of the step and the time so far.
-pub fn steps(length: u64) -> ProgressBar {
-    bar(length, "{bar:30} {pos}/{len} {msg} {elapsed}")
+#[derive(Debug)]
+struct Drawn {
+    text: String,
+    /// From the begin to the next line.
+    next: Duration,
+}
+
+impl Default for Lines {
+    fn default() -> Self {
+        Self {
+            begun: Instant::now(),
+            drawn: Mutex::new(Drawn {
+                text: String::new(),
+                next: FIRST,
+            }),
+        }
+    }
+}
+
+impl Drawn {
+    /// The line to write at a time since the begin, where one is due: rarer and rarer.
+    fn take(&mut self, now: Duration) -> Option<String> {
+        let text = std::mem::take(&mut self.text);
+        let line = text.trim();
+        if line.is_empty() || now < self.next {
+            return None;
+        }
+        self.next = now + now.clamp(FIRST, LONGEST);
+        Some(line.to_owned())
+    }
+}
+
+impl Lines {
+    fn drawn(&self) -> std::sync::MutexGuard<'_, Drawn> {
+        self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl TermLike for Lines {
+    fn width(&self) -> u16 {
+        200
+    }
+
+    fn move_cursor_up(&self, _: usize) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn move_cursor_down(&self, _: usize) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn move_cursor_right(&self, _: usize) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn move_cursor_left(&self, _: usize) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn write_line(&self, text: &str) -> io::Result<()> {
+        self.write_str(text)
+    }
+
+    fn write_str(&self, text: &str) -> io::Result<()> {
+        self.drawn().text.push_str(text);
+        Ok(())
+    }
+
+    fn clear_line(&self) -> io::Result<()> {
+        self.drawn().text.clear();
+        Ok(())
+    }
+
+    fn flush(&self) -> io::Result<()> {
+        if let Some(line) = self.drawn().take(self.begun.elapsed()) {
+            eprintln!("{line}");
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_a_terminal_a_line_comes_now_and_then() {
+        let mut drawn = Drawn {
+            text: String::new(),
+            next: FIRST,
+        };
+        let mut at = |seconds: u64| {
+            drawn.text = format!("{seconds}   ");
+            drawn.take(Duration::from_secs(seconds))
+        };
+        let said: Vec<String> = (0..300).filter_map(&mut at).collect();
+        assert_eq!(
+            said,
+            ["5", "10", "20", "40", "80", "140", "200", "260"].map(str::to_owned)
+        );
+        assert_eq!(drawn.take(Duration::from_secs(1000)), None);
+    }
 }

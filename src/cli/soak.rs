@@ -102,7 +102,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     args.quality.filter.apply(&mut avatar);
     let gpu = Gpu::new(&args.quality.gpu())?;
     let options = args.quality.renderer(args.size);
-    let bar = progress::tuning();
+    let bar = progress::open_ended();
     let mut show = |candidate: &_| bar.set_message(format!("trying {candidate}"));
     let tuned = stop.excuse(&Record::of_device(&gpu), |record| {
         // A soak is of the fastest sort: it is worth the wait.

@@ -3,6 +3,8 @@
 #[cfg(feature = "window")]
 use crate::live;
 use crate::{
+    assets,
+    files::print_assumptions,
     fit,
     interrupt::Interrupts,
     options::{self, DeviceArgs},
@@ -11,7 +13,6 @@ use crate::{
 use anyhow::Context;
 use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOptions, tally};
-use effigy_learn::bake::Assets;
 use effigy_perceptual::Network;
 use effigy_train::{
     log::Progress,
@@ -83,7 +84,7 @@ pub struct Args {
     #[arg(long, value_name = "SECONDS", default_value = "300", value_parser = fit::checkpoint)]
     checkpoint: f64,
     /// Folder that tools/fetch_perceptual.sh filled
-    #[arg(long, value_name = "DIR", default_value = Assets::DEFAULT)]
+    #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value_os_t = assets::folder())]
     weights: PathBuf,
     #[command(flatten)]
     device: DeviceArgs,
@@ -234,7 +235,7 @@ fn learn(
     args: &Args,
 ) -> anyhow::Result<Outcome> {
     let window = window(session, capture, args)?;
-    let bar = progress::steps(1000);
+    let bar = progress::share();
     let report = |now: &Progress| {
         bar.set_position((1000.0 * now.share) as u64);
         bar.set_message(message(now));
@@ -329,32 +330,40 @@ fn recipe(args: &Args) -> anyhow::Result<Recipe> {
 }
 
 /// The recipe with D-SSIM in place of ST-LPIPS where nobody asked for that and its weights are not
-/// there. A training that goes on keeps what it began with, whatever is there by now.
+/// there; says which loss it is, and why. A training that goes on keeps what it began with, whatever
+/// is there by now.
 fn with_known_weights(mut recipe: Recipe, args: &Args, work: &Path) -> Recipe {
     let is_asked_for = args.config.is_some()
         || args
             .set
             .iter()
             .any(|change| change.trim_start().starts_with("perceptual.kind"));
-    let network = match recipe.perceptual.kind {
+    let begun = std::fs::read_to_string(work.join(RECIPE)).ok();
+    let begun = begun.and_then(|text| Recipe::parse(&text).ok());
+    let begun = begun.filter(|_| args.resume && !is_asked_for);
+    if let Some(begun) = &begun {
+        recipe.perceptual.kind = begun.perceptual.kind;
+    }
+    let kind = &mut recipe.perceptual.kind;
+    let network = match kind {
         PerceptualKind::StLpipsAlex => Network::Alex,
         PerceptualKind::StLpipsVgg => Network::Vgg,
         // LPIPS is in no preset: who asks for it brings its weights.
         PerceptualKind::LpipsAlex | PerceptualKind::LpipsVgg => return recipe,
         PerceptualKind::Dssim | PerceptualKind::None => return recipe,
     };
-    if is_asked_for {
-        return recipe;
-    }
-    let begun = std::fs::read_to_string(work.join(RECIPE)).ok();
-    let begun = begun.and_then(|text| Recipe::parse(&text).ok());
-    if let Some(begun) = begun.filter(|_| args.resume) {
-        recipe.perceptual.kind = begun.perceptual.kind;
-    } else if network.missing(&args.weights).is_some() {
-        eprintln!(
-            "without ST-LPIPS, whose weights tools/fetch_perceptual.sh gets: D-SSIM stands in for it"
-        );
-        recipe.perceptual.kind = PerceptualKind::Dssim;
+    let folder = args.weights.display();
+    match network.missing(&args.weights) {
+        Some(file) if !is_asked_for && begun.is_none() => {
+            eprintln!(
+                "without ST-LPIPS, as {folder} has no {}, which tools/fetch_perceptual.sh gets: \
+                 D-SSIM stands in for it",
+                file.name
+            );
+            *kind = PerceptualKind::Dssim;
+        }
+        Some(_) => {}
+        None => println!("perceptual loss: ST-LPIPS, whose weights are in {folder}"),
     }
     recipe
 }
@@ -394,11 +403,20 @@ fn read_capture(folder: &Path, args: &Args) -> anyhow::Result<Arc<Capture>> {
         template: args.template.clone(),
     };
     let mut capture = Capture::read_with(folder, &options)?;
+    print_assumptions(folder, &capture.assumptions);
     if args.check_pictures {
         let bar = progress::items(capture.pictures() as u64, "pictures");
         let found = capture.check(&|done, _| bar.set_position(done as u64));
         bar.finish_and_clear();
         capture = capture.without(found)?;
+    } else if !capture.masks.faults.is_empty() {
+        let masks = &capture.masks;
+        anyhow::ensure!(
+            !masks.is_useless(),
+            "{}: masks: {masks}; --check-pictures looks at all, and leaves such pictures out",
+            folder.display()
+        );
+        eprintln!("masks: {masks}; --check-pictures looks at all, and leaves such pictures out");
     }
     for (reason, count) in tally(&capture.left_out) {
         eprintln!("left out: {count} × {reason}");

@@ -20,7 +20,6 @@ use effigy_core::{
     avatar::{Avatar, Clip, Skeleton},
     io::{file::FormatError, splats::Up},
 };
-use glam::DVec3;
 
 /// Bytes of a file beside a glTF of motion.
 const LONGEST_BESIDE: u64 = 256 << 20;
@@ -218,21 +217,8 @@ fn read_fbx(_: &[u8], _: &CaptureOptions) -> Result<Captured, FormatError> {
     Err(FormatError::container("an FBX file", expected))
 }
 
-/// Whether a skeleton rests with its arms out, as the paper's and SMPL's do.
-fn rests_in_t_pose(skeleton: &Skeleton) -> bool {
-    let place = |name: &str| {
-        let joint = skeleton.name.iter().position(|own| own == name)?;
-        Some(DVec3::from(skeleton.rest[joint].map(f64::from)))
-    };
-    let arm = place("LeftArm").zip(place("LeftForeArm"));
-    arm.is_some_and(|(from, to)| (to - from).angle_between(DVec3::X) < LEVEL)
-}
-
-/// How far an arm that is held out may point up or down, radians.
-const LEVEL: f64 = 0.35;
-
-/// Reads a clip for an avatar: Effigy's own, the poses beside the paper's model, or motion of
-/// another body, which is retargeted. `skeleton`: the avatar's. `girth` measures the avatar, where
+/// Reads a clip for an avatar: Effigy's own, the poses beside the paper's model
+/// where it is that model's, or motion of another body, which is retargeted. `skeleton`: the avatar's. `girth` measures the avatar, where
 /// motion of another body needs it and `options` have none.
 ///
 /// # Errors
@@ -264,7 +250,7 @@ fn unpacked_clip(
         let clip = Clip::from_bytes(source.bytes).map_err(|own| unknown(source.bytes, own));
         return clip.map(made_for_it);
     }
-    if content == Content::Poses && rests_in_t_pose(skeleton) {
+    if content == Content::Poses && webavatar::is_own_skeleton(skeleton) {
         let rate = options.capture.rate.unwrap_or(webavatar::POSES_RATE);
         let clip = webavatar::read_poses(source.bytes, &name, skeleton, rate);
         return clip.map(made_for_it);

@@ -8,7 +8,7 @@ use effigy::vulkan::{
     rates::{Copy, CopyMethod, Fill, FillOrder, FillShape, Filling, MOST_LAYERS},
 };
 use serde::{Deserialize, Serialize};
-use std::{sync::Arc, time::Duration};
+use std::{collections::BTreeSet, sync::Arc, time::Duration};
 
 /// Version of the JSON. It changes whenever an older program could misread a newer file.
 pub const SCHEMA: &str = "effigy-rates-1";
@@ -146,8 +146,8 @@ const FILLINGS: [Filling; 6] = {
     ]
 };
 
-/// Measures all rates of a device. `show` hears of each when it begins; `keep` gets what is measured
-/// so far after each. No image is filled where the driver can't draw triangles.
+/// Measures all rates of a device. `show` hears of each when it begins, and how many of how many are
+/// done; `keep` gets what is measured so far after each. No image is filled where the driver can't draw triangles.
 ///
 /// # Errors
 /// When the device fails.
@@ -155,7 +155,7 @@ pub fn measure_rates(
     gpu: &Arc<Gpu>,
     settings: &RatesSettings,
     command: Vec<String>,
-    show: &mut dyn FnMut(&str),
+    show: &mut dyn FnMut(&str, usize, usize),
     keep: &mut dyn FnMut(&RatesReport),
 ) -> Result<RatesReport> {
     let limit = u64::from(gpu.probe.limits.max_storage_buffer_range);
@@ -167,23 +167,25 @@ pub fn measure_rates(
         fill_size: settings.size,
         fills: Vec::new(),
     };
-    for bytes in COPIES.map(|bytes| bytes.min(settings.largest).min(limit)) {
-        if report.copies.iter().any(|copy| copy.bytes == bytes) {
-            continue;
-        }
-        show(&format!("copies of {bytes} bytes"));
+    let copies: BTreeSet<u64> = COPIES
+        .map(|bytes| bytes.min(settings.largest).min(limit))
+        .into();
+    let fillings = [ColorFormat::Rgba8, ColorFormat::Rgba16F]
+        .map(|format| FILLINGS.map(|filling| Filling { format, ..filling }));
+    let fillings = fillings.as_flattened().iter();
+    let fillings: Vec<&Filling> = fillings.filter(|_| gpu.probe.draws_triangles()).collect();
+    let all = copies.len() + fillings.len();
+    for (done, bytes) in copies.iter().copied().enumerate() {
+        show(&format!("copies of {bytes} bytes"), done, all);
         let measured = measure_copies(gpu, bytes, settings.least)?;
         report.copies.extend(measured);
         keep(&report);
     }
-    if gpu.probe.draws_triangles() {
-        for format in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
-            for filling in FILLINGS.map(|filling| Filling { format, ..filling }) {
-                let measured = measure_fill(gpu, filling, settings, show)?;
-                report.fills.push(measured);
-                keep(&report);
-            }
-        }
+    for (done, filling) in fillings.into_iter().enumerate() {
+        let mut show = |what: &str| show(what, copies.len() + done, all);
+        let measured = measure_fill(gpu, *filling, settings, &mut show)?;
+        report.fills.push(measured);
+        keep(&report);
     }
     Ok(report)
 }

@@ -69,7 +69,11 @@ pub enum TrainError {
     #[error("found no picture to learn from: all are held out")]
     NothingToLearn,
     /// A view is too small for the perceptual loss, or for anything to be learned.
-    #[error("views of {} × {} px, expected at least {LEAST_SIDE} of each", size[0], size[1])]
+    #[error(
+        "the body takes {} × {} px of the pictures, expected at least {LEAST_SIDE} of each: either \
+         they are too small, or its poses, its size or the cameras are not theirs",
+        size[0], size[1]
+    )]
     SmallViews {
         /// Width and height, px.
         size: [u32; 2],

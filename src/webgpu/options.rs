@@ -63,6 +63,14 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     }
 }
 
+/// Options that a preset made, with keys of as many bits as this backend sorts by.
+pub fn within_reach(options: RendererOptions) -> RendererOptions {
+    RendererOptions {
+        key_bits: options.key_bits.map(|_| KeyBits::Sixteen),
+        ..options
+    }
+}
+
 /// Resolved options for an avatar.
 ///
 /// # Errors

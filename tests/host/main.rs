@@ -58,6 +58,8 @@ fn main() -> ExitCode {
             bake,
             capture,
             capture::hostile,
+            capture::masks,
+            capture::wrong,
             drift,
             #[cfg(feature = "window")]
             dropped,

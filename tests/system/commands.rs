@@ -553,6 +553,62 @@ fn devices_lists_every_device_and_its_use() {
     assert_eq!(read_json(&folder.path().join("devices.json")), json);
 }
 
+/// What a backend can't do is not asked of it by a default or a preset.
+fn each_backend_measures_and_draws_without_further_options() {
+    gpu::drawing();
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let what = "small.avatar --motion small.motion --size 64x96";
+    for backend in ["vulkan", "webgpu"] {
+        for command in [
+            "bench --json out.json",
+            "bench --preset exact --check 0 --spread 1 --frames 2",
+            "bench --sweep preset --frames 1 --check 1 --rounds 1",
+            "render --out a.png",
+            "render --preset exact --out b.png",
+        ] {
+            let said = works(
+                folder.path(),
+                &format!("{command} {what} --backend {backend}"),
+            );
+            assert!(!said.contains("16 bits, not of"), "{command}: {said}");
+        }
+        let report = read_json(&folder.path().join("out.json"));
+        assert!(report["spread"]["views"].as_u64() > Some(0), "{backend}");
+        std::fs::remove_file(folder.path().join("out.json")).unwrap();
+    }
+    let said = fails(
+        folder.path(),
+        &format!("render {what} --keys 32 --backend webgpu"),
+    );
+    assert!(said.contains("leave out --keys"), "{said}");
+}
+
+/// A budget of minutes leaves out what would take longer, and says what is left meanwhile.
+fn sorts_are_measured_as_long_as_is_said() {
+    gpu::gpu();
+    let folder = tempfile::tempdir().unwrap();
+    let begun = Instant::now();
+    let output = effigy(
+        folder.path(),
+        "bench-sort --sort per-thread --keys 16,32 --minutes 0.12 --json out.json",
+    );
+    let [said, progress] =
+        [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
+    assert!(output.status.success(), "{progress}");
+    assert!(begun.elapsed() < Duration::from_secs(40));
+    assert!(
+        said.contains("left out: ") && said.contains("--minutes 0.12"),
+        "{said}"
+    );
+    assert!(progress.contains(" left"), "{progress}");
+    let rows = read_json(&folder.path().join("out.json"))["rows"]
+        .as_array()
+        .unwrap()
+        .len();
+    assert!((1..16).contains(&rows), "{rows} of 16 sorts");
+}
+
 fn read_json(path: &Path) -> serde_json::Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
@@ -696,6 +752,8 @@ fn the_version_names_the_program() {
 
 tests! {
     the_version_names_the_program: no_device,
+    each_backend_measures_and_draws_without_further_options,
+    sorts_are_measured_as_long_as_is_said,
     render_writes_the_demo_as_the_reference_draws_it,
     render_draws_several_as_the_reference_does,
     a_range_of_frames_becomes_numbered_images,

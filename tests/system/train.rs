@@ -205,14 +205,21 @@ fn without_its_weights_d_ssim_stands_in_for_st_lpips() {
     let short = TINY
         .replace("iterations=150", "iterations=3")
         .replace("fine_tune=50", "fine_tune=1")
-        .replace("--set perceptual.kind=dssim", "--weights nowhere");
+        .replace("--set perceptual.kind=dssim", "");
+    let train = |folder: &Path, arguments: &str| {
+        let mut command = train(folder, arguments);
+        command.env("EFFIGY_ASSETS", "nowhere");
+        command
+    };
     let output = ends(train(here, &format!("--out a.avatar {short}")));
     assert!(output.status.success(), "{}", errors(&output));
-    assert!(
-        errors(&output).contains("D-SSIM stands in for it"),
-        "{}",
-        errors(&output)
-    );
+    let said = errors(&output);
+    for expected in [
+        "D-SSIM stands in for it",
+        "nowhere has no alex_shift_tolerant.pth",
+    ] {
+        assert!(said.contains(expected), "{said}");
+    }
     // Weights that came since don't make it another training.
     let weights = folder.path().join("nowhere");
     fs::create_dir(&weights).unwrap();
@@ -263,6 +270,43 @@ fn recipes_that_are_none_are_refused_before_anything_else() {
         command
     });
     assert!(String::from_utf8_lossy(&shown.stdout).contains("gaussians = 200000"));
+}
+
+/// The person of masks without anybody would vanish without a word.
+fn masks_without_anybody_end_it_before_it_begins() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    stiff_capture(&here.join("blank"));
+    let mut masks: Vec<_> = ["cam00", "cam01"]
+        .into_iter()
+        .flat_map(|camera| fs::read_dir(here.join("blank/masks").join(camera)).unwrap())
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    masks.sort();
+    let train = |arguments: &str| {
+        let mut command = Command::new(common::program());
+        command
+            .args(["train", "blank", "--out", "a.avatar"])
+            .args(arguments.split_whitespace())
+            .current_dir(here);
+        let output = ends(command);
+        assert_eq!(output.status.code(), Some(1));
+        errors(&output)
+    };
+    let blank = |mask: &Path| image::GrayImage::new(96, 80).save(mask).unwrap();
+    masks.iter().take(4).for_each(|mask| blank(mask));
+    let said = train("");
+    assert!(
+        said.contains("6 looked at, 4 of no use") && said.contains("an empty mask"),
+        "{said}"
+    );
+    masks.iter().for_each(|mask| blank(mask));
+    let said = train("--check-pictures");
+    assert!(
+        said.contains("0 usable frames") && said.contains("6 with an empty mask"),
+        "{said}"
+    );
+    assert!(!here.join("a.training").exists());
 }
 
 fn captures_that_are_none_are_named() {
@@ -332,4 +376,5 @@ tests! {
     a_stopped_training_goes_on_to_the_same_bits,
     recipes_that_are_none_are_refused_before_anything_else,
     captures_that_are_none_are_named,
+    masks_without_anybody_end_it_before_it_begins,
 }

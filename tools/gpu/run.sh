@@ -92,7 +92,7 @@ do_step() { # NAME SECONDS
   case $1 in
     devices) "$effigy" devices --json "$work/devices.json" && "$effigy" devices ;;
     rates) "$effigy" bench-device "${rates[@]}" --json "$work/rates.json" ;;
-    sorts) "$effigy" bench-sort --subgroups "${sorts[@]}" --json "$work/sorts.json" ;;
+    sorts) "$effigy" bench-sort --subgroups --minutes 60 "${sorts[@]}" --json "$work/sorts.json" ;;
     tests)
       "$here/bin/gpu-tests" --list "${tests[@]}" > "$work/tests-list.txt" &&
         VK_LAYER_PATH=$here/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1 EFFIGY_VALIDATION=1 \

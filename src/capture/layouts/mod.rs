@@ -4,7 +4,7 @@ mod avatarrex;
 mod layout;
 mod thuman4;
 
-pub use layout::Layout;
+pub use layout::{Layout, only_number};
 use std::path::Path;
 
 /// Every layout that is known.

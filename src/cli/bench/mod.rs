@@ -255,7 +255,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let gpu = open(args.backend.try_into()?, &args.quality.gpu())?;
     let bar = progress::items(0, "frames");
-    let options = job.setting.options;
+    let options = match args.quality.keys {
+        Some(_) => job.setting.options,
+        None => gpu.within_reach(job.setting.options),
+    };
     job.setting.options = match gpu.vulkan() {
         Some(gpu) => {
             let mut show = |candidate: &_| bar.set_message(format!("trying {candidate}"));

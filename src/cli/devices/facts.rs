@@ -155,7 +155,7 @@ fn measured(
     }
     let avatar = effigy_demo::avatar()?;
     let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
-    let bar = progress::tuning();
+    let bar = progress::open_ended();
     let options = RendererOptions::new(DEMO_SIZE);
     let mut kept = Ok(());
     let tuning = Interrupts::of_trials()?.excuse(&record, |record| {

@@ -30,6 +30,18 @@ pub struct PicturesSummary {
     /// How often something is left out for each reason.
     left_out: BTreeMap<&'static str, usize>,
     faults: Vec<String>,
+    masks: Masks,
+    /// What the files leave open, and what is taken.
+    assumptions: Vec<String>,
+}
+
+/// What a look at some masks found.
+#[derive(Serialize)]
+struct Masks {
+    looked_at: usize,
+    faults: Vec<String>,
+    #[serde(skip)]
+    text: String,
 }
 
 #[derive(Serialize)]
@@ -80,6 +92,21 @@ impl PicturesSummary {
                 .iter()
                 .take(NAMED)
                 .map(|fault| fault.to_string())
+                .collect(),
+            masks: Masks {
+                looked_at: capture.masks.count,
+                faults: capture
+                    .masks
+                    .faults
+                    .iter()
+                    .map(ToString::to_string)
+                    .collect(),
+                text: capture.masks.to_string(),
+            },
+            assumptions: capture
+                .assumptions
+                .iter()
+                .map(ToString::to_string)
                 .collect(),
         }))
     }
@@ -137,6 +164,10 @@ impl fmt::Display for PicturesSummary {
                 self.expression
             ),
         )?;
+        line(f, "masks", &self.masks.text)?;
+        for assumption in &self.assumptions {
+            line(f, "taken", assumption)?;
+        }
         for (reason, count) in &self.left_out {
             line(f, "left out", format_args!("{count} × {reason}"))?;
         }

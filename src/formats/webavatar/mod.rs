@@ -34,6 +34,7 @@ mod write;
 
 pub use poses::{POSES_RATE, capture_poses, read_poses, write_poses};
 pub use read::{Imported, from_bytes};
+pub use skeleton::is_own_skeleton;
 pub use write::{Loss, to_bytes};
 
 use effigy_core::avatar::{Activation, ShCoefficients};

@@ -26,6 +26,18 @@ pub fn smpl_x(rest: Vec<[f32; 3]>) -> Skeleton {
     }
 }
 
+/// Whether a skeleton is the model's own: SMPL-X's joints by number, names and parents, so that poses
+/// of one body are poses of another as they are.
+pub fn is_own_skeleton(skeleton: &Skeleton) -> bool {
+    let names = skeleton.name.iter().map(String::as_str);
+    names.eq(SMPL_X.iter().map(|joint| joint.name))
+        && skeleton
+            .parent
+            .iter()
+            .copied()
+            .eq(SMPL_X.iter().map(|joint| joint.parent))
+}
+
 /// For each joint of SMPL-X, which of a skeleton's joints it is, by name.
 pub fn places(skeleton: &Skeleton) -> Vec<Option<usize>> {
     let place = |joint: &Joint| skeleton.name.iter().position(|name| name == joint.name);

@@ -121,8 +121,8 @@ impl<'a> SpreadInputs<'a> {
     }
 }
 
-/// Draws each view twice on a device, as `setting` says and with nothing skipped, full detail,
-/// 32-bit keys and all rows, and summarises how far the images differ. None if no view shows the
+/// Draws each view twice on a device, as `setting` says and with nothing skipped, full detail, keys
+/// of 32 bits or as many as the backend has, and all rows, and summarises how far the images differ. None if no view shows the
 /// avatar.
 ///
 /// # Errors
@@ -141,7 +141,7 @@ pub fn measure_spread(
     let exact = RendererOptions {
         skip: Skip::empty(),
         supersampling: drawn.supersampling,
-        ..Preset::Exact.apply(drawn)
+        ..gpu.within_reach(Preset::Exact.apply(drawn))
     };
     let mut renderer = BenchRenderer::new(gpu, &setting.reduce(inputs.avatar), drawn)?;
     let mut exact_renderer = BenchRenderer::new(gpu, inputs.avatar, exact)?;

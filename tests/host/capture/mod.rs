@@ -2,6 +2,8 @@
 //! the baked person.
 
 pub mod hostile;
+pub mod masks;
+pub mod wrong;
 
 use crate::common;
 use effigy_capture::{Capture, CaptureFrame, Truth};

@@ -4,11 +4,15 @@
 pub mod hostile;
 
 use effigy_core::{
-    avatar::{Activation, Avatar, Pose},
+    avatar::{Activation, Avatar, Pose, Skeleton},
     reference::{mlp, nodes, project},
     scene::Posed,
 };
-use effigy_formats::webavatar::{self, ColorCode, Imported, Options};
+use effigy_formats::{
+    read::{self, ClipOptions, Source},
+    splats::Nothing,
+    webavatar::{self, ColorCode, Imported, Options},
+};
 use glam::DVec3;
 use serde::Deserialize;
 
@@ -187,7 +191,43 @@ fn what_the_format_cannot_hold_is_refused() {
     }
 }
 
+/// Poses are a clip as they are for the model that they lie beside, however its arms rest; another
+/// body with arms that are level follows them by its own bones.
+fn poses_are_taken_as_they_are_by_the_models_own_skeleton() {
+    let clip = |skeleton: &Skeleton| {
+        let source = Source {
+            bytes: POSES,
+            name: "small_poses.json".as_ref(),
+            beside: &mut Nothing,
+        };
+        read::clip(source, skeleton, || None, &ClipOptions::default()).unwrap()
+    };
+    let own = small().avatar.skeleton;
+    let mut lowered = own.clone();
+    for (name, rest) in lowered.name.iter().zip(&mut lowered.rest) {
+        if name.starts_with("LeftForeArm") || name.starts_with("LeftHand") {
+            rest[1] -= 1.0;
+        }
+    }
+    for skeleton in [&own, &lowered] {
+        assert!(clip(skeleton).report.is_none());
+    }
+    let mut fewer = own.clone();
+    for list in [&mut fewer.rest, &mut fewer.canonical] {
+        list.pop();
+    }
+    (fewer.name.pop(), fewer.parent.pop());
+    let mut renamed = own.clone();
+    renamed.name.swap(22, 23);
+    let mut turned = own;
+    turned.parent[22] = Some(12);
+    for skeleton in [&fewer, &renamed, &turned] {
+        assert!(clip(skeleton).report.is_some());
+    }
+}
+
 tests! {
+    poses_are_taken_as_they_are_by_the_models_own_skeleton,
     a_model_shows_what_numpy_computes_from_the_documented_equations,
     widths_orders_of_memory_and_padding_change_nothing,
     what_the_file_leaves_open_can_be_said,
