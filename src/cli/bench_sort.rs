@@ -2,8 +2,8 @@
 //! the CPU first.
 
 use crate::{
-    files,
     options::{DeviceArgs, KeysArg, SortArg},
+    output::{JSON, Output},
 };
 use anyhow::ensure;
 use effigy::vulkan::{
@@ -20,7 +20,7 @@ use effigy_measure::{
     report::{DeviceReport, Program, bits_of_keys},
     sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name},
 };
-use std::{iter, path::PathBuf, sync::Arc, time::Instant};
+use std::{iter, sync::Arc, time::Instant};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -51,8 +51,8 @@ pub struct Args {
     )]
     runs: u16,
     /// Also write the result as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
+    json: Option<Output>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -106,8 +106,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             println!("{failure}");
         }
     }
-    if let Some(path) = &args.json {
-        println!("wrote {}", path.display());
+    if let Some(out) = &args.json {
+        out.write_json(&report)?;
+        println!("wrote {}", out.display());
     }
     // A variant that was not asked for and that the self-test does not choose, or that it chooses at
     // another size of subgroups, may be wrong on a device: its failure is printed, and the command
@@ -188,8 +189,8 @@ fn measure_all(
                 report.rows.push(row);
             }
             println!();
-            if let Some(path) = &args.json {
-                files::write_json(path, report)?;
+            if let Some(out) = &args.json {
+                out.keep_json(report)?;
             }
         }
     }
