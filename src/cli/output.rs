@@ -102,6 +102,7 @@ impl Kind {
         }
         let names = self.names(&stem.to_string());
         Err(match ending.as_str() {
+            "" if path.is_dir() => format!("`{shown}` is a folder: name a file to write in it"),
             "" => format!("`{shown}` has no ending, which says what to write: write {names}"),
             _ => format!(
                 "`{shown}` does not end in .{}: write {names}",

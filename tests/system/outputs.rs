@@ -329,6 +329,8 @@ fn names_that_promise_something_else_are_refused() {
             "`a` has no ending, which says what to write",
         ),
         ("render --out .png", "has no ending"),
+        ("render --out shot.capture", "does not end in .png"),
+        ("render --out .", "`.` is a folder"),
         (
             "render --out a.jpeg --background none",
             "a .jpg has no transparency",
