@@ -1,9 +1,10 @@
 //! Screenshots: writes an image to a PNG file with a name that was free.
 
+use effigy_core::io::file::write_whole;
 use image::{ImageFormat, RgbaImage};
 use std::{
-    fs::File,
-    io::{self, BufWriter, Write},
+    fs::{self, File},
+    io::{self, Cursor},
     path::{Path, PathBuf},
     thread::JoinHandle,
 };
@@ -61,15 +62,19 @@ pub fn folders() -> Vec<PathBuf> {
 /// # Errors
 /// If no folder can be written to: the last one's error.
 pub fn save(image: &RgbaImage, folders: &[PathBuf]) -> io::Result<PathBuf> {
+    let mut bytes = Cursor::new(Vec::new());
+    image
+        .write_to(&mut bytes, ImageFormat::Png)
+        .map_err(io::Error::other)?;
     let mut refused = io::Error::other("there is no folder to write a screenshot to");
     for folder in folders {
-        match create(folder) {
-            Ok((path, file)) => {
-                let mut writer = BufWriter::new(file);
-                let written = image
-                    .write_to(&mut writer, ImageFormat::Png)
-                    .map_err(io::Error::other)
-                    .and_then(|()| writer.flush());
+        match take_name(folder) {
+            Ok(path) => {
+                let written = write_whole(&path, bytes.get_ref());
+                if written.is_err() {
+                    // The name was taken for nothing.
+                    fs::remove_file(&path).ok();
+                }
                 return written.map(|()| path);
             }
             Err(error) => {
@@ -80,13 +85,13 @@ pub fn save(image: &RgbaImage, folders: &[PathBuf]) -> io::Result<PathBuf> {
     Err(refused)
 }
 
-/// Creates a file that did not exist, even if two programs look for a name at once.
-fn create(folder: &Path) -> io::Result<(PathBuf, File)> {
+/// Takes a name that was free with an empty file, even if two programs look for one at once.
+fn take_name(folder: &Path) -> io::Result<PathBuf> {
     for number in 1..=NAMES {
         let path = folder.join(format!("effigy-{number:04}.png"));
         match File::create_new(&path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            result => return result.map(|file| (path, file)),
+            result => return result.map(|_| path),
         }
     }
     Err(io::Error::new(

@@ -20,7 +20,7 @@ use crate::{
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
 use anyhow::Context;
-use effigy::vulkan::{Error, RendererOptions};
+use effigy::vulkan::{Error, RendererOptions, cache};
 use effigy_core::avatar::Avatar;
 use effigy_runtime::slow_start::SlowStart;
 use std::{path::PathBuf, sync::Arc, time::Instant};
@@ -177,11 +177,13 @@ impl Viewer {
             ..self.options.renderer
         };
         let avatar = self.scene.avatar();
-        let slow_start = SlowStart::new(|| {
-            tracing::warn!("starting: the driver compiles shaders at a first start");
+        let slow_start = cache::is_first_start().then(|| {
+            SlowStart::new(|| {
+                tracing::warn!("starting: the driver compiles shaders at a first start");
+            })
         });
         let painter = WindowPainter::new(window, avatar, &self.options.gpu, full_quality)?;
-        self.slow_start = Some(slow_start);
+        self.slow_start = slow_start;
         tracing::info!(
             "showing `{}` with {}",
             avatar.name,

@@ -4,6 +4,7 @@
 use crate::{
     files, fit,
     options::{self, count},
+    output::OutputFolder,
     progress,
 };
 use effigy_core::{
@@ -37,7 +38,7 @@ pub struct Args {
     dataset: PathBuf,
     /// Folder to write to
     #[arg(short, long, value_name = "DIR")]
-    out: PathBuf,
+    out: OutputFolder,
     /// Also fit, once for each line of the tables of features, parts and basis rows; takes the time
     /// of about ten fits
     #[arg(long = "fit", alias = "fits")]

@@ -3,6 +3,7 @@
 use crate::{
     assets, files,
     options::{count, named},
+    output::{WriteAvatar, WriteMotion},
     progress,
 };
 use anyhow::{Context, ensure};
@@ -81,16 +82,19 @@ impl BodySource {
         self.assets.person()
     }
 
-    /// Counts of everything, with `rows` corrective rows. An error if there are more parts, nodes
-    /// or rows than Gaussians.
+    /// Counts of everything, with `rows` corrective rows. An error names all of which there are more
+    /// than Gaussians.
     pub fn sizes(&self, rows: usize) -> anyhow::Result<BakeSizes> {
         let gaussians = self.gaussians;
-        for (name, number) in [("parts", self.parts), ("nodes", self.nodes), ("rows", rows)] {
-            ensure!(
-                number <= gaussians,
-                "--{name} {number} can't be above --gaussians, {gaussians}"
-            );
-        }
+        let counts = [("parts", self.parts), ("nodes", self.nodes), ("rows", rows)];
+        let above = counts.iter().filter(|(_, number)| *number > gaussians);
+        let above: Vec<String> = above.map(|(name, n)| format!("--{name} {n}")).collect();
+        ensure!(
+            above.is_empty(),
+            "found {} with --gaussians {gaussians}, expected --parts, --nodes and --rows of at most \
+             as many as --gaussians each",
+            above.join(" and ")
+        );
         Ok(BakeSizes {
             gaussians,
             parts: self.parts,
@@ -103,9 +107,8 @@ impl BodySource {
 
 #[derive(clap::Args, Debug)]
 struct BodyArgs {
-    /// Avatar file to write
-    #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
+    #[command(flatten)]
+    out: WriteAvatar,
     #[command(flatten)]
     body: BodySource,
     /// Gaussians that keep a corrective, 0 to --gaussians, for each of rotation, scale and colour
@@ -121,9 +124,8 @@ struct BodyArgs {
 struct MotionArgs {
     /// Motion capture, a .bvh file; a file name alone is also looked for among the assets
     capture: PathBuf,
-    /// Motion file to write
-    #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
+    #[command(flatten)]
+    out: WriteMotion,
     #[command(flatten)]
     assets: AssetArgs,
     /// Avatar that motion of another body is to move [default: the built-in demo; of `bake motion`
@@ -160,6 +162,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 fn body(args: &BodyArgs) -> anyhow::Result<()> {
     let start = Instant::now();
+    let out = args.out.file()?;
     let assets = args.body.assets();
     let person = args.body.person();
     let sizes = args.body.sizes(args.rows)?;
@@ -178,8 +181,8 @@ fn body(args: &BodyArgs) -> anyhow::Result<()> {
     };
     let avatar = bake::body(&assets, person, &clips, &sizes, &step)?;
     bar.finish_and_clear();
-    avatar.write(&args.out)?;
-    summarise(&avatar, &args.out, start)
+    avatar.write(out)?;
+    summarise(&avatar, out, start)
 }
 
 /// The clip that the body is baked for unless the user names others.
@@ -220,6 +223,7 @@ fn megabytes(path: &Path) -> anyhow::Result<f64> {
 }
 
 fn motion(args: &MotionArgs) -> anyhow::Result<()> {
+    let out = args.out.file()?;
     let assets = Assets::new(&args.assets.assets);
     let skeleton = match &args.avatar {
         Some(path) => Avatar::read(path)?.skeleton,
@@ -245,14 +249,14 @@ fn motion(args: &MotionArgs) -> anyhow::Result<()> {
         },
     };
     let clip = bake::motion(capture, &skeleton, &options)?;
-    clip.write(&args.out)?;
+    clip.write(out)?;
     println!(
         "{}: {} frames at {} Hz, {:.1} s; {:.1} MB",
-        args.out.display(),
+        out.display(),
         clip.frames(),
         args.fps,
         clip.frames() as f64 / f64::from(args.fps),
-        megabytes(&args.out)?
+        megabytes(out)?
     );
     Ok(())
 }

@@ -2,14 +2,14 @@
 //! fill rates.
 
 use crate::{
-    files,
     options::{self, DeviceArgs},
+    output::{JSON, Output},
     progress,
 };
 use anyhow::ensure;
 use effigy::vulkan::Gpu;
 use effigy_measure::rates::{CopyReport, FillReport, RatesReport, RatesSettings, measure_rates};
-use std::{path::PathBuf, time::Duration};
+use std::time::Duration;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -25,8 +25,8 @@ pub struct Args {
     #[arg(long, value_name = "MS", default_value_t = 20, value_parser = options::count(1, 10_000))]
     min_ms: usize,
     /// Also write the result as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
+    json: Option<Output>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -47,8 +47,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let mut kept = Ok(());
     // What is measured by then is not lost if the program is stopped.
     let mut keep = |report: &RatesReport| {
-        if let (Some(path), Ok(())) = (&args.json, &kept) {
-            kept = files::write_json(path, report);
+        if let (Some(out), Ok(())) = (&args.json, &kept) {
+            kept = out.keep_json(report);
         }
     };
     let report = measure_rates(&gpu, &settings, command, &mut show, &mut keep)?;
@@ -56,8 +56,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     kept?;
     print_copies(&report.copies);
     print_fills(&report.fills, report.fill_size);
-    if let Some(path) = &args.json {
-        println!("wrote {}", path.display());
+    if let Some(out) = &args.json {
+        out.write_json(&report)?;
+        println!("wrote {}", out.display());
     }
     let wrong = report.copies.iter().filter(|copy| !copy.right).count();
     ensure!(

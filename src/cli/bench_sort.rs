@@ -2,8 +2,8 @@
 //! the CPU first.
 
 use crate::{
-    files,
     options::{self, DeviceArgs, KeysArg, SortArg},
+    output::{JSON, Output},
     progress,
 };
 use anyhow::ensure;
@@ -24,7 +24,6 @@ use effigy_measure::{
 use std::{
     fmt::Write,
     iter,
-    path::PathBuf,
     sync::Arc,
     time::{Duration, Instant},
 };
@@ -61,8 +60,8 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value = "1", value_parser = options::minutes)]
     minutes: f64,
     /// Also write the result as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
+    json: Option<Output>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -116,8 +115,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             println!("{failure}");
         }
     }
-    if let Some(path) = &args.json {
-        println!("wrote {}", path.display());
+    if let Some(out) = &args.json {
+        out.write_json(&report)?;
+        println!("wrote {}", out.display());
     }
     // A variant that was not asked for and that the self-test does not choose, or that it chooses at
     // another size of subgroups, may be wrong on a device: its failure is printed, and the command
@@ -217,8 +217,8 @@ fn measure_all(
             }
             *took = begun.elapsed();
             bar.suspend(|| println!("{line}"));
-            if let Some(path) = &args.json {
-                files::write_json(path, report)?;
+            if let Some(out) = &args.json {
+                out.keep_json(report)?;
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::{
     advice::Advised,
     options::{self, CameraArgs, QualityArgs},
-    source::Source,
+    source::{Source, check_time},
 };
 use anyhow::Context;
 use effigy::vulkan::{Gpu, Offscreen, Presentation, Recording, Renderer};
@@ -49,6 +49,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let gpu = Gpu::new(&args.quality.gpu())?;
     let renderdoc = RenderDoc::attached().ok_or_else(not_attached)?;
     let (avatar, player) = args.source.load_player()?;
+    check_time(&player, args.time);
     let mut renderer = Renderer::new(&gpu, &avatar, args.quality.renderer(args.size))?;
     let screen = Offscreen::new(&gpu, args.size)?;
     // SAFETY: nothing uses the screen yet, and every frame leaves the image in that layout.

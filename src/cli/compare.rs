@@ -1,6 +1,9 @@
 //! `effigy compare`: two files of `effigy bench --json`, or of `effigy soak`, against each other.
 
-use crate::files::{self, ChartFile};
+use crate::{
+    files,
+    output::{CHART, Output},
+};
 use anyhow::{Context, ensure};
 use effigy_measure::{
     bench::{
@@ -24,8 +27,8 @@ pub struct Args {
     above: f64,
     /// Also chart error and time against the avatar's size, of the cases in which it has a height,
     /// to an .svg or a .png; each line is named as its file is; not for soaks
-    #[arg(long, value_name = "FILE", value_parser = files::chart)]
-    chart: Option<ChartFile>,
+    #[arg(long, value_name = "FILE", value_parser = CHART.parser())]
+    chart: Option<Output>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -54,30 +57,31 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         }
         if line.title != title {
             println!(
-                "\n{}\n  {:32}{:>16}{:>16}{:>12}",
+                "\n{}\n  {:32}{:>16}{:>16}{:>12}  second is",
                 line.title, "", "first", "second", "change"
             );
             title = &line.title;
         }
         println!(
-            "  {:32}{:>16}{:>16}{:>12}",
+            "  {:32}{:>16}{:>16}{:>12}  {}",
             line.name,
             number(line.a),
             number(line.b),
-            change(line.change())
+            change(line.change()),
+            judged(line.is_better())
         );
     }
     for row in &comparison.alone {
         println!("not compared: {row}");
     }
     match &args.chart {
-        Some(file) => write_chart(file, [(&args.a, &a), (&args.b, &b)]),
+        Some(out) => write_chart(out, [(&args.a, &a), (&args.b, &b)]),
         None => Ok(()),
     }
 }
 
 /// Charts measurements, each with the file that it was read from.
-fn write_chart(file: &ChartFile, measured: [(&PathBuf, &BenchReport); 2]) -> anyhow::Result<()> {
+fn write_chart(out: &Output, measured: [(&PathBuf, &BenchReport); 2]) -> anyhow::Result<()> {
     let names = measured.map(|(path, _)| {
         let name = path.file_stem().unwrap_or_default();
         name.to_string_lossy().into_owned()
@@ -88,11 +92,10 @@ fn write_chart(file: &ChartFile, measured: [(&PathBuf, &BenchReport); 2]) -> any
     });
     let first = measured[0].1;
     let title = chart_title(&first.avatar, first.size, &first.device);
-    match file {
-        ChartFile::Svg(path) => files::write(path, sizes::svg(&reports, &title)?.as_bytes())?,
-        ChartFile::Png(path) => files::write(path, &sizes::png(&reports, &title)?)?,
+    match out.ending() {
+        "svg" => out.write(sizes::svg(&reports, &title)?),
+        _ => out.write(sizes::png(&reports, &title)?),
     }
-    Ok(())
 }
 
 /// Prints two soaks against each other.
@@ -105,7 +108,10 @@ pub fn soaks(a: &Path, b: &Path) -> anyhow::Result<()> {
     for difference in differences {
         println!("note: {difference}");
     }
-    println!("  {:26}{:>16}{:>16}{:>12}", "", "first", "second", "change");
+    println!(
+        "  {:26}{:>16}{:>16}{:>12}  second is",
+        "", "first", "second", "change"
+    );
     let cell = |value: Option<f64>| value.map_or("–".to_owned(), number);
     for line in lines {
         let [a, b] = line.values;
@@ -114,10 +120,11 @@ pub fn soaks(a: &Path, b: &Path) -> anyhow::Result<()> {
             _ => "–".to_owned(),
         };
         println!(
-            "  {:26}{:>16}{:>16}{change:>12}",
+            "  {:26}{:>16}{:>16}{change:>12}  {}",
             line.name,
             cell(a),
-            cell(b)
+            cell(b),
+            judged(line.is_better())
         );
     }
     Ok(())
@@ -133,6 +140,15 @@ fn is_above(line: &BenchNumber, percent: f64) -> bool {
             100.0 * (10f64.powf(difference.abs() / 20.0) - 1.0) > percent
         }
         Change::None => true,
+    }
+}
+
+/// Empty where a number is no better and no worse, or neither is.
+fn judged(is_better: Option<bool>) -> &'static str {
+    match is_better {
+        Some(true) => "better",
+        Some(false) => "worse",
+        None => "",
     }
 }
 

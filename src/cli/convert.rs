@@ -1,9 +1,10 @@
 //! `effigy convert`: writes splats, or an avatar in one pose, as a splat file of another program.
 
 use crate::{
-    files::{self, print_assumptions},
+    files::print_assumptions,
     options::{self, FilterArgs, UpArgs},
-    source::{CaptureArgs, PoseProjection, Source},
+    output::WriteSplats,
+    source::{CaptureArgs, PoseProjection, Source, check_time},
 };
 use anyhow::{Context, ensure};
 use effigy_core::{
@@ -14,16 +15,16 @@ use effigy_core::{
 };
 use effigy_formats::{
     open,
-    splats::{SplatFormat, WRITTEN, write},
+    splats::{SplatFormat, write},
 };
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Splats, or an avatar to write in one pose
     file: PathBuf,
-    /// File to write, in the format that its ending names: .ply, .spz, .splat or .glb
-    out: PathBuf,
+    #[command(flatten)]
+    out: WriteSplats,
     /// Clip that poses an avatar [default: the poses beside an .npz, else the built-in demo clip]
     #[arg(long, value_name = "FILE")]
     motion: Option<PathBuf>,
@@ -43,7 +44,8 @@ pub struct Args {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let format = format(&args.out)?;
+    let out = args.out.file()?;
+    let format = SplatFormat::of_name(out).unwrap_or(SplatFormat::Ply);
     let mut splats = if open::is_splats(&args.file) {
         ensure!(
             args.motion.is_none(),
@@ -68,29 +70,18 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if !is_kept {
         tracing::warn!(
             "{} can't say that the splats are drawn with a low-pass of {} px²",
-            args.out.display(),
+            out.display(),
             splats.filter
         );
     }
     let bytes = write(splats, format).with_context(|| args.file.display().to_string())?;
-    files::write(&args.out, &bytes)?;
+    out.write(&bytes)?;
     println!(
         "wrote {}: {count} Gaussians, {:.1} MB",
-        args.out.display(),
+        out.display(),
         bytes.len() as f64 / 1e6
     );
     Ok(())
-}
-
-/// The format of a file to write, by its ending.
-fn format(out: &Path) -> anyhow::Result<SplatFormat> {
-    let ending = out.extension().unwrap_or_default().to_string_lossy();
-    let is_written = WRITTEN
-        .iter()
-        .any(|known| ending.eq_ignore_ascii_case(known));
-    SplatFormat::of_name(out)
-        .filter(|_| is_written)
-        .with_context(|| format!("{} does not end in .{}", out.display(), WRITTEN.join(", .")))
 }
 
 /// The Gaussians of an avatar's file in a pose.
@@ -103,6 +94,7 @@ fn posed_file(args: &Args) -> anyhow::Result<Splats> {
         project: args.project,
     };
     let (avatar, player) = source.load_player()?;
+    check_time(&player, args.time);
     posed_splats(&avatar, &Posed::new(&avatar, &player.pose(args.time)), None)
 }
 
@@ -134,22 +126,4 @@ pub fn posed_splats(
         filter: avatar.filter,
         ..from_gaussians(&gaussians, uniform)
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_ending_names_the_format() {
-        let of = |name: &str| format(Path::new(name)).ok();
-        assert_eq!(of("a.PLY"), Some(SplatFormat::Ply));
-        assert_eq!(of("a.spz"), Some(SplatFormat::Spz));
-        assert_eq!(of("a.splat"), Some(SplatFormat::Splat));
-        assert_eq!(of("a.b/c.glb"), Some(SplatFormat::Glb));
-        for other in ["a", "a.sog", "a.gltf", "ply", "a.avatar"] {
-            let error = format(Path::new(other)).unwrap_err().to_string();
-            assert!(error.contains(".ply, .spz, .splat, .glb"), "{error}");
-        }
-    }
 }

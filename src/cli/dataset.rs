@@ -4,6 +4,7 @@
 use crate::{
     bake::BodySource,
     options::{self, count},
+    output::{self, OutputFolder},
     progress,
 };
 use anyhow::ensure;
@@ -33,7 +34,7 @@ pub struct Args {
     motion: Vec<PathBuf>,
     /// Folder to write; by custom its name ends in .dataset, or in .capture with --pictures
     #[arg(short, long, value_name = "DIR")]
-    out: PathBuf,
+    out: OutputFolder,
     #[command(flatten)]
     body: BodySource,
     /// Frames, 2 to 100000, evenly spaced over the clips [default: 300; 100 with --pictures]
@@ -134,6 +135,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let frames = args.frames.unwrap_or(if args.pictures { 100 } else { 300 });
     let shots = plan_frames(&clips, frames, args.block);
     if args.pictures {
+        // Its pictures would be removed, and may be nowhere else.
+        let is_capture = ["calibration.json", "calibration_full.json", "images"];
+        let is_capture = is_capture.iter().any(|name| args.out.join(name).exists());
+        ensure!(
+            !is_capture || output::may_overwrite(),
+            "{} has a capture: name another folder, or add --overwrite to remove its pictures",
+            args.out.display()
+        );
         return shoot(&args, &clips, &shots);
     }
     let start = Instant::now();

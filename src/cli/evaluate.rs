@@ -5,12 +5,12 @@ use crate::{
     evaluate_capture::{self, CaptureArgs, Job},
     files, fit,
     options::{self, count},
-    progress,
+    output::{JSON, Output, OutputFolder},
+    picture, progress,
 };
-use anyhow::{Context, ensure};
+use anyhow::ensure;
 use effigy_core::{
     avatar::Avatar,
-    io::file::replace,
     reference,
     scene::{AvatarBounds, Posed},
 };
@@ -55,10 +55,10 @@ pub struct Args {
     /// Also write an image of each drawn frame to this folder, side by side: of a dataset without
     /// correctives, with them, and the ground truth; of a capture truth, avatar and error
     #[arg(long, value_name = "DIR")]
-    images: Option<PathBuf>,
+    images: Option<OutputFolder>,
     /// Also write the result as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
+    json: Option<Output>,
     #[command(flatten)]
     of_capture: CaptureArgs,
 }
@@ -76,7 +76,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             capture: &args.dataset,
             frames: args.frames,
             images: args.images.as_deref(),
-            json: args.json.as_deref(),
+            json: args.json.as_ref(),
         };
         return evaluate_capture::run(&args.of_capture, &job);
     };
@@ -98,8 +98,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     });
     bar.finish_and_clear();
     print!("{}", table(&scores));
-    if let Some(path) = &args.json {
-        replace(path, serde_json::to_string_pretty(&scores)?.as_bytes())?;
+    if let Some(out) = &args.json {
+        out.write_json(&scores)?;
     }
     Ok(())
 }
@@ -142,10 +142,10 @@ fn write_images(
                 ground_truth_image(dataset, frame, &posed, &camera),
             ];
             let path = folder.join(format!("frame-{frame:05}-{yaw}.png"));
-            side_by_side(&row)
-                .over(background)
-                .save(&path)
-                .with_context(|| format!("{} can't be written", path.display()))?;
+            picture::write(
+                &side_by_side(&row).over(background),
+                &Output::new(path, "png"),
+            )?;
         }
     }
     Ok(())

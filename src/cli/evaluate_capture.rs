@@ -4,13 +4,14 @@
 use crate::{
     assets, evaluate_video, files,
     options::{self, DeviceArgs, count, named},
-    progress,
+    output::{Output, PNG},
+    picture, progress,
     source::PoseProjection,
 };
-use anyhow::{Context, bail, ensure};
+use anyhow::{bail, ensure};
 use effigy::vulkan::Gpu;
 use effigy_capture::Capture;
-use effigy_core::{avatar::Avatar, io::file::replace, scene::FrameImage};
+use effigy_core::{avatar::Avatar, scene::FrameImage};
 use effigy_learn::{
     evaluate::side_by_side,
     score::{
@@ -41,8 +42,8 @@ pub struct CaptureArgs {
     pub pictures: Option<PathBuf>,
     /// Of a capture: also write every frame of the first held-out camera as an animated PNG: truth,
     /// avatar, error
-    #[arg(long, value_name = "FILE")]
-    video: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = PNG.parser())]
+    video: Option<Output>,
     /// Of a capture: cameras of each kind, held out or not, 1 to 1000
     #[arg(long, value_name = "N", default_value = "4", value_parser = count(1, 1000))]
     cameras: usize,
@@ -96,7 +97,7 @@ pub struct Job<'a> {
     /// Frames of each kind.
     pub frames: usize,
     pub images: Option<&'a Path>,
-    pub json: Option<&'a Path>,
+    pub json: Option<&'a Output>,
 }
 
 fn ground(text: &str) -> Result<Ground, String> {
@@ -187,8 +188,8 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
     if left_out > 0 {
         println!("{left_out} of {} pictures are left out", views.len());
     }
-    if let Some(path) = job.json {
-        replace(path, serde_json::to_string_pretty(&report)?.as_bytes())?;
+    if let Some(out) = job.json {
+        out.write_json(&report)?;
     }
     if let Some(path) = &args.video {
         evaluate_video::write(path, &scorer, errors)?;
@@ -281,10 +282,10 @@ fn write_image(folder: &Path, score: &ViewScore, compared: &Compared) -> anyhow:
         image(&errors(&compared.truth, &compared.image)),
     ];
     let path = folder.join(format!("{}-{:08}.png", score.camera, score.frame));
-    side_by_side(&row)
-        .over([0.0; 3])
-        .save(&path)
-        .with_context(|| format!("{} can't be written", path.display()))
+    picture::write(
+        &side_by_side(&row).over([0.0; 3]),
+        &Output::new(path, "png"),
+    )
 }
 
 fn image(planes: &Planes) -> FrameImage {

@@ -1,13 +1,12 @@
 //! `effigy evaluate --video`: truth, candidate and error of every frame that a camera saw, as an
 //! animated PNG.
 
-use crate::progress;
+use crate::{output::Output, progress};
 use anyhow::{Context, ensure};
 use effigy_capture::Capture;
-use effigy_core::{io::file::replace, scene::PixelRect};
+use effigy_core::scene::PixelRect;
 use effigy_learn::score::{Scorer, View};
 use effigy_perceptual::Planes;
-use std::path::Path;
 
 /// A capture has no rate.
 const FRAMES_A_SECOND: u16 = 10;
@@ -26,7 +25,7 @@ pub fn views(capture: &Capture) -> Vec<View> {
 
 /// Writes [`views`]. `error`: of a truth and an image. A view that can't be compared is grey.
 pub fn write(
-    path: &Path,
+    out: &Output,
     scorer: &Scorer,
     error: impl Fn(&Planes, &Planes) -> Planes,
 ) -> anyhow::Result<()> {
@@ -44,13 +43,13 @@ pub fn write(
     ensure!(
         !views.is_empty(),
         "{}: no frame of the camera shows anybody",
-        path.display()
+        out.display()
     );
     let bytes = animation(&views, part, scorer, error)
-        .with_context(|| format!("{} can't be made", path.display()))?;
-    replace(path, &bytes)?;
+        .with_context(|| format!("{} can't be made", out.display()))?;
+    out.write(&bytes)?;
     let name = &scorer.capture.cameras[views[0].camera].name;
-    println!("{}: {} frames of {name}", path.display(), views.len());
+    println!("{}: {} frames of {name}", out.display(), views.len());
     Ok(())
 }
 

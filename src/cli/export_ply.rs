@@ -1,13 +1,17 @@
 //! `effigy export-ply`: writes an avatar in one pose as a 3DGS .ply, and cameras around it.
 
-use crate::{convert::posed_splats, files, options, source::Source};
+use crate::{
+    convert::posed_splats,
+    options,
+    output::{JSON, Output, WritePly},
+    source::{Source, check_time},
+};
 use effigy_core::{
     avatar::Avatar,
     io::{cameras, ply_export::to_ply, splats::Uniform},
     scene::{AvatarBounds, Camera, Posed},
 };
 use effigy_measure::viewpoint::{FOV, PITCH, yaw_of_view};
-use std::path::PathBuf;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -16,16 +20,15 @@ pub struct Args {
     /// Time in the clip, seconds
     #[arg(long, alias = "at", value_name = "SECONDS", default_value_t = 0.0, value_parser = options::seconds)]
     time: f64,
-    /// .ply file to write
-    #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
+    #[command(flatten)]
+    out: WritePly,
     /// Make every Gaussian a ball of this standard deviation, metres above 0, and opacity, 0 to 1,
     /// to measure renderers on equal bodies: 0.003,0.9
     #[arg(long, value_name = "DEVIATION,OPACITY", value_parser = uniform)]
     uniform: Option<Uniform>,
     /// Also write cameras around the avatar, as 3DGS's cameras.json
-    #[arg(long, alias = "cameras", value_name = "FILE")]
-    cameras_out: Option<PathBuf>,
+    #[arg(long, alias = "cameras", value_name = "FILE", value_parser = JSON.parser())]
+    cameras_out: Option<Output>,
     /// Views around the avatar, 1 or more
     ///
     /// They are those of `effigy bench`.
@@ -55,19 +58,21 @@ fn uniform(text: &str) -> Result<Uniform, String> {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
+    let out = args.out.file()?;
     let (avatar, player) = args.source.load_player()?;
+    check_time(&player, args.time);
     let posed = Posed::new(&avatar, &player.pose(args.time));
     let ply = to_ply(&posed_splats(&avatar, &posed, args.uniform)?);
-    files::write(&args.out, &ply)?;
+    out.write(&ply)?;
     println!(
         "wrote {}: {} Gaussians, {:.1} MB",
-        args.out.display(),
+        out.display(),
         avatar.gaussians.len(),
         ply.len() as f64 / 1e6
     );
     if let Some(path) = &args.cameras_out {
         let cameras = views(&avatar, &posed, usize::from(args.views), args.size);
-        files::write(path, cameras::to_json(&cameras) + "\n")?;
+        path.write(cameras::to_json(&cameras) + "\n")?;
         println!("wrote {}: {} cameras", path.display(), args.views);
     }
     Ok(())

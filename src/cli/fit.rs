@@ -3,13 +3,11 @@
 
 use crate::{
     options::{self, count},
+    output::{self, AVATAR, Output},
     progress,
 };
 use anyhow::{Context, ensure};
-use effigy_core::{
-    avatar::{Avatar, limits},
-    io::file::replace,
-};
+use effigy_core::avatar::{Avatar, limits};
 use effigy_learn::{self, Budget, Dataset, FitOptions, Fitted, fit::loss_curve};
 use std::{
     path::{Path, PathBuf},
@@ -23,8 +21,8 @@ pub const MIN_FRAMES: usize = 8;
 #[derive(clap::Args, Debug)]
 struct TrainingArgs {
     /// Avatar file to write; the learning curves go beside it, .loss.svg and .loss.csv
-    #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
+    #[arg(short, long, value_name = "FILE", value_parser = AVATAR.parser())]
+    out: Output,
     /// Corrective rows to keep, of rotation, scale and colour together, 0 or more: those without
     /// which images of the training frames would lose most [default: a tenth of all]
     #[arg(long, value_name = "N", value_parser = count(0, 3 * limits::GAUSSIANS))]
@@ -101,16 +99,16 @@ impl TrainingArgs {
             clips: self.clip.clone(),
             budget: Some(budget),
             checkpoint: Some(effigy_learn::CheckpointOptions {
-                path: self.beside("checkpoint"),
+                path: self.out.beside("checkpoint").to_path_buf(),
                 interval: checkpoint,
             }),
             ..FitOptions::default()
         }
     }
 
-    /// A file beside the avatar.
-    fn beside(&self, ending: &str) -> PathBuf {
-        self.out.with_extension(ending)
+    /// The learning curves.
+    fn curves(&self) -> [Output; 2] {
+        ["loss.csv", "loss.svg"].map(|rest| self.out.beside(rest))
     }
 }
 
@@ -136,6 +134,7 @@ pub fn check_clips(dataset: &Dataset, folder: &Path, clips: &[String]) -> anyhow
 
 pub fn run(args: FitArgs) -> anyhow::Result<()> {
     let start = Instant::now();
+    output::check(&args.training.curves())?;
     ensure!(
         args.basis.is_multiple_of(4),
         "--basis {} is not a multiple of 4",
@@ -157,6 +156,7 @@ pub fn run(args: FitArgs) -> anyhow::Result<()> {
 
 pub fn run_prune(args: PruneArgs) -> anyhow::Result<()> {
     let start = Instant::now();
+    output::check(&args.training.curves())?;
     let avatar = Avatar::read(&args.avatar)?;
     let dataset = Dataset::open(&args.dataset)?;
     check_clips(&dataset, &args.dataset, &args.training.clip)?;
@@ -216,21 +216,19 @@ pub fn check_body(avatar: &Avatar, path: &Path, dataset: &Dataset) -> anyhow::Re
 fn write(training: &TrainingArgs, fitted: Fitted, start: Instant) -> anyhow::Result<()> {
     let Fitted { avatar, curve } = fitted;
     avatar.write(&training.out)?;
-    replace(
-        &training.beside("loss.csv"),
-        loss_curve::csv(&curve).as_bytes(),
-    )?;
-    replace(
-        &training.beside("loss.svg"),
-        loss_curve::svg(&curve)?.as_bytes(),
-    )?;
-    let checkpoint = training.beside("checkpoint");
+    let [csv, svg] = training.curves();
+    csv.write(loss_curve::csv(&curve))?;
+    svg.write(loss_curve::svg(&curve)?)?;
+    let checkpoint = training.out.beside("checkpoint");
     if checkpoint.exists() {
         std::fs::remove_file(&checkpoint)
             .with_context(|| format!("{} can't be removed", checkpoint.display()))?;
     }
     let left = curve.last().map_or(0.0, |point| 100.0 * point.training);
-    let megabytes = std::fs::metadata(&training.out).map_or(0.0, |file| file.len() as f64 / 1e6);
+    let megabytes = training
+        .out
+        .metadata()
+        .map_or(0.0, |file| file.len() as f64 / 1e6);
     println!(
         "{}: {} Gaussians, {} rows of rotation, {} of scale, {} of colour; {left:.1} % of the training frames' variance left; {megabytes:.1} MB; {:.0} s",
         training.out.display(),

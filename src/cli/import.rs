@@ -3,6 +3,7 @@
 use crate::{
     distil, files,
     options::{self, FilterArgs, UpArgs},
+    output::{MOTION, Output, WriteImported},
     progress,
     source::{self, CaptureArgs},
 };
@@ -29,9 +30,8 @@ pub struct Args {
     /// .spz, .sog, .ksplat, .glb or .gltf, or motion of any body: .bvh, .fbx, glTF, VRM, SMPL's
     /// parameters, the paper's _poses.json
     file: PathBuf,
-    /// Avatar or motion file to write
-    #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
+    #[command(flatten)]
+    out: WriteImported,
     /// Avatar that motion of another body is to move [default: the built-in demo; of `bake motion`
     /// the assets' body]
     #[arg(long, value_name = "FILE")]
@@ -50,8 +50,8 @@ pub struct Args {
     #[arg(long, value_name = "FILE", requires = "motion_out")]
     poses: Option<PathBuf>,
     /// Motion file to write
-    #[arg(long, value_name = "FILE", requires = "poses")]
-    motion_out: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", requires = "poses", value_parser = MOTION.parser())]
+    motion_out: Option<Output>,
     /// Frames a second: of poses, whose file does not say [default: 30], or of the clip to make of
     /// motion capture [default: its own, at most 60]
     #[arg(long, value_name = "N", value_parser = options::rate)]
@@ -131,12 +131,12 @@ fn convert_clip(args: &Args, file: &Path, avatar: &Avatar, out: &Path) -> anyhow
 }
 
 /// Refuses options that say nothing of the file, and a name that promises another one.
-fn check(args: &Args, is_motion: bool) -> anyhow::Result<()> {
+fn check(args: &Args, out: &Output, is_motion: bool) -> anyhow::Result<()> {
     let ending = if is_motion { "motion" } else { "avatar" };
     ensure!(
-        args.out.extension().is_some_and(|own| own == ending),
+        out.ending() == ending,
         "{} does not end in .{ending}, which {} becomes",
-        args.out.display(),
+        out.display(),
         args.file.display()
     );
     ensure!(
@@ -174,10 +174,11 @@ fn check(args: &Args, is_motion: bool) -> anyhow::Result<()> {
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     let is_motion = open::is_capture(&args.file);
-    check(&args, is_motion)?;
+    let out = args.out.file()?;
+    check(&args, out, is_motion)?;
     if is_motion {
         let avatar = source::avatar_to_move(args.avatar.as_deref())?;
-        return convert_clip(&args, &args.file, &avatar, &args.out);
+        return convert_clip(&args, &args.file, &avatar, out);
     }
     let avatar = &mut if open::is_checkpoint(&args.file) {
         distilled(&args)?
@@ -190,11 +191,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     }
     if avatar.is_static() {
         // All its Gaussians have one joint and no node, which deflates to nothing.
-        avatar.write_packed(&args.out)?;
+        avatar.write_packed(out)?;
     } else {
-        avatar.write(&args.out)?;
+        avatar.write(out)?;
     }
-    println!("{}: {}", args.out.display(), files::describe(avatar));
+    println!("{}: {}", out.display(), files::describe(avatar));
     Ok(())
 }
 

@@ -11,7 +11,7 @@ use std::{
     time::Duration,
 };
 
-/// How often [`Interrupts::excuse`] looks whether a signal came.
+/// How often it is looked whether a signal came.
 const LOOKS_EVERY: Duration = Duration::from_millis(10);
 
 /// A flag that signals set.
@@ -24,8 +24,8 @@ pub struct Interrupts {
 }
 
 impl Interrupts {
-    /// Ctrl-C, SIGTERM and a closed terminal set the flag from now on. A second Ctrl-C ends the
-    /// program at once.
+    /// Ctrl-C, SIGTERM and a closed terminal set the flag from now on, which is said at once. A
+    /// second Ctrl-C ends the program.
     pub fn listen() -> anyhow::Result<Self> {
         let new = Self::new(false);
         #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
@@ -37,7 +37,31 @@ impl Interrupts {
             flag::register_conditional_shutdown(SIGINT, 130, new.stop.clone()).context(FAILED)?;
             new.register(&[SIGINT, SIGTERM, SIGHUP])?;
         }
+        new.when_stopped(|| eprintln!("stopping"));
         Ok(new)
+    }
+
+    /// Has a signal end the program with an exit code and a sentence, whatever it is at, unless there
+    /// is something to save by then.
+    pub fn leave_unless(&self, is_to_save: &Arc<AtomicBool>, code: u8, sentence: String) {
+        let is_to_save = is_to_save.clone();
+        self.when_stopped(move || {
+            if !is_to_save.load(Ordering::SeqCst) {
+                eprintln!("{sentence}");
+                exit_now(code.into());
+            }
+        });
+    }
+
+    /// Does something when the flag is set.
+    fn when_stopped(&self, act: impl FnOnce() + Send + 'static) {
+        let stop = self.stop.clone();
+        std::thread::spawn(move || {
+            while !stop.load(Ordering::SeqCst) {
+                std::thread::sleep(LOOKS_EVERY);
+            }
+            act();
+        });
     }
 
     /// For commands with no end of their own: Ctrl-C and SIGTERM end the program as they do by
@@ -109,9 +133,17 @@ impl Interrupts {
         {
             let signal = self.signal.load(Ordering::SeqCst) as i32;
             signal_hook::low_level::emulate_default_handler(signal).ok();
-            signal_hook::low_level::exit(128 + signal);
+            exit_now(128 + signal);
         }
     }
+}
+
+/// Ends the program without exit handlers.
+fn exit_now(code: i32) {
+    #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
+    signal_hook::low_level::exit(code);
+    #[cfg(any(target_arch = "wasm32", target_os = "android"))]
+    std::process::exit(code);
 }
 
 /// Has signals do again what they did before the trials.

@@ -5,7 +5,7 @@
 //!  │                               ├─ options: arguments that several subcommands share
 //!  │                               ├─ backend: Vulkan or WebGPU
 //!  │                               ├─ assets: the folder of source files and weights
-//!  │                               └─ files, progress: output
+//!  │                               └─ output, picture, progress: what is written and shown
 //!  ├─ groups: the subcommands as `effigy --help` lists them
 //!  └─ advice: what a user can do about an error
 //! ```
@@ -41,8 +41,10 @@ mod kept;
 #[cfg(feature = "window")]
 mod live;
 mod options;
+mod output;
 mod pack;
 mod phone_model;
+mod picture;
 mod progress;
 mod render;
 mod soak;
@@ -56,7 +58,7 @@ mod verdict;
 mod view;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
-use std::process::ExitCode;
+use std::{io::IsTerminal, process::ExitCode};
 
 /// Draws animatable human avatars made of Gaussians.
 ///
@@ -70,6 +72,9 @@ struct Cli {
     /// Print more about what happens: -v for steps, -vv for details. RUST_LOG overrides it
     #[arg(short, long, global = true, action = clap::ArgAction::Count)]
     verbose: u8,
+    /// Replace a file that the command reads, or the pictures of a capture, where OUT is one
+    #[arg(long, global = true)]
+    overwrite: bool,
 }
 
 /// Every subcommand. [`groups`] says under which heading each is listed.
@@ -77,7 +82,7 @@ struct Cli {
 enum Command {
     /// Show an avatar moving in a window
     View(view::Args),
-    /// Render images to PNG files
+    /// Render images
     Render(render::Args),
     /// Capture a frame with RenderDoc
     Capture(capture::Args),
@@ -189,6 +194,7 @@ fn start_logging(verbose: u8) {
     tracing_subscriber::fmt()
         .with_env_filter(filter)
         .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none())
         .without_time()
         .with_target(false)
         .init();
@@ -208,12 +214,13 @@ pub fn main() -> ExitCode {
     if let Some(commit) = option_env!("EFFIGY_COMMIT") {
         effigy_measure::set_commit(commit);
     }
-    let cli = Cli::from_arg_matches(&command().get_matches()).unwrap_or_else(|error| error.exit());
+    let matches = command().get_matches();
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     start_logging(cli.verbose);
-    let result = match cli.command {
+    let result = output::check_arguments(&matches).and_then(|()| match cli.command {
         Some(command) => command.run(),
         None => view::run_default(),
-    };
+    });
     let Err(error) = result else {
         return ExitCode::SUCCESS;
     };

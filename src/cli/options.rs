@@ -370,14 +370,16 @@ impl From<SortArg> for Option<SortVariant> {
     }
 }
 
-/// Reads `WIDTHxHEIGHT`, pixels.
+/// Reads `WIDTHxHEIGHT`, pixels, or one number for both.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.trim().parse::<u32>().ok().filter(|&side| side > 0);
-    let sides = text
-        .split_once(['x', 'X', '×'])
-        .and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    let (width, height) = text.split_once(['x', 'X', '×']).unwrap_or((text, text));
+    let sides = side(width).zip(side(height)).map(<[u32; 2]>::from);
     sides.ok_or_else(|| {
-        format!("`{text}` is not a size: write width x height in pixels, for instance 1024x1024")
+        format!(
+            "`{text}` is not a size: write width x height in pixels, for instance 1280x720, or one \
+             number for a square"
+        )
     })
 }
 
@@ -454,6 +456,20 @@ mod tests {
         let only =
             Only::try_parse_from(["effigy"].into_iter().chain(arguments.split_whitespace()))?;
         Ok(format!("{:?}", only.quality.renderer([8, 8])))
+    }
+
+    #[test]
+    fn a_size_is_two_numbers_or_one_of_a_square() {
+        for (text, expected) in [
+            ("512", [512, 512]),
+            ("640x480", [640, 480]),
+            ("3 × 4", [3, 4]),
+        ] {
+            assert_eq!(size(text), Ok(expected));
+        }
+        for wrong in ["", "0", "x", "512x", "-5", "1x2x3", "large"] {
+            assert!(size(wrong).is_err_and(|error| error.contains(&format!("`{wrong}`"))));
+        }
     }
 
     #[test]

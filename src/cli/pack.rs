@@ -1,9 +1,9 @@
 //! `effigy pack`: makes an avatar's file smaller, and shows what each step saves and costs.
 
 use crate::{
-    files,
     inspect::LevelSummary,
     options::{self, FilterArgs, UpArgs},
+    output::{JSON, Output, WriteAvatar},
     progress,
     source::{self, CaptureArgs, PoseProjection, Source},
 };
@@ -26,9 +26,8 @@ pub struct Args {
     /// Avatar to pack: an .avatar file, the paper's .npz, mmlphuman's
     /// checkpoint, or splats [default: the built-in demo]
     avatar: Option<PathBuf>,
-    /// Avatar file to write
-    #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
+    #[command(flatten)]
+    out: WriteAvatar,
     /// How much may be lost
     #[arg(long, value_enum, default_value_t = QualityArg::High)]
     quality: QualityArg,
@@ -55,8 +54,8 @@ pub struct Args {
     #[arg(long, value_name = "WxH", value_parser = options::size, default_value = "512x640")]
     size: [u32; 2],
     /// Also write the result as JSON
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
+    json: Option<Output>,
 }
 
 /// [`PackQuality`] as an argument.
@@ -93,6 +92,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             path.display()
         );
     }
+    let out = args.out.file()?;
     let source = Source {
         avatar: args.avatar.clone(),
         motion: args.motion.iter().cloned().collect(),
@@ -129,13 +129,13 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let (lines, packed) = packing::measure_steps(&avatar, args.quality.into(), &views, show)?;
     bar.finish_and_clear();
-    packed.write_packed(&args.out)?;
+    packed.write_packed(out)?;
     print(&lines);
     for level in &packed.levels {
         print!("{}", LevelSummary::new(level));
     }
-    println!("wrote {}", args.out.display());
-    println!("reading it takes {:.0} ms", reading_ms(&args.out)?);
+    println!("wrote {}", out.display());
+    println!("reading it takes {:.0} ms", reading_ms(out)?);
     // What is fitted to a checkpoint is not read from it.
     let read = args.avatar.as_ref();
     if let Some(path) = read.filter(|path| !open::is_checkpoint(path)) {
@@ -145,8 +145,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             reading_ms(path)?
         );
     }
-    if let Some(path) = &args.json {
-        files::write_json(path, &lines)?;
+    if let Some(json) = &args.json {
+        json.write_json(&lines)?;
     }
     Ok(())
 }

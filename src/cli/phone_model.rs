@@ -1,6 +1,9 @@
 //! `effigy phone-model`: what phones would take, from published rates and this program's counts.
 
-use crate::files;
+use crate::{
+    files,
+    output::{MARKDOWN, Output},
+};
 use anyhow::Context;
 use effigy_measure::phone_model::{Inputs, PhoneModel, replace_tables};
 use std::path::PathBuf;
@@ -19,8 +22,8 @@ pub struct Args {
     )]
     shaders: PathBuf,
     /// Page of Markdown whose tables to replace, in place of printing them
-    #[arg(long, value_name = "FILE")]
-    page: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = MARKDOWN.parser())]
+    page: Option<Output>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -32,7 +35,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let page = replace_tables(&files::read_text(path)?, &tables)
         .with_context(|| format!("{} has no place for the tables", path.display()))?;
-    files::write(path, page)?;
+    path.write(page)?;
     println!("wrote {}", path.display());
     Ok(())
 }

@@ -1,14 +1,15 @@
-//! `effigy render`: images of an avatar as PNG files, drawn by the GPU or by the f64 reference.
+//! `effigy render`: images of an avatar, drawn by the GPU or by the f64 reference.
 
 use crate::{
     backend::BackendArg,
     files,
     options::{self, CameraArgs, QualityArgs},
-    progress,
+    output::{self, IMAGE, Output},
+    picture, progress,
     source::{self, Source},
 };
-use anyhow::{Context, ensure};
-use effigy::vulkan::{Gpu, Renderer, RendererOptions};
+use anyhow::ensure;
+use effigy::vulkan::{Gpu, Renderer, RendererOptions, cache};
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
 use effigy_core::{
@@ -34,9 +35,13 @@ const REFERENCE_PIXELS: u64 = 1 << 27;
 pub struct Args {
     #[command(flatten)]
     source: Source,
-    /// PNG file to write; with --frames or --cameras a number goes before the ending
-    #[arg(short, long, value_name = "FILE", default_value = "effigy.png")]
-    out: PathBuf,
+    /// Image to write, a .png, .jpg or .webp (without loss), or - for a .png on the standard
+    /// output; with --frames or --cameras a number goes before the ending [default: effigy.png]
+    #[arg(short, long, value_name = "FILE", value_parser = IMAGE.parser())]
+    out: Option<Output>,
+    /// The same without `--out`
+    #[arg(hide = true, conflicts_with = "out", value_parser = IMAGE.parser())]
+    to: Option<Output>,
     /// Width and height of the image, pixels [default: 1024x1024, or each camera's own of
     /// --cameras]
     #[arg(long, value_name = "WxH", value_parser = options::size)]
@@ -136,7 +141,7 @@ impl<'a> ImageRenderer<'a> {
                 Self::Vulkan {
                     renderer: Box::new(Renderer::new(&gpu, avatar, options)?),
                     size: image_size,
-                    slow_start: Some(slow_start),
+                    slow_start,
                 }
             }
             #[cfg(feature = "webgpu")]
@@ -204,6 +209,7 @@ impl<'a> ImageRenderer<'a> {
 /// Everything that the images of one command have in common.
 struct Shoot<'a> {
     args: &'a Args,
+    out: &'a Output,
     avatar: &'a Avatar,
     bounds: AvatarBounds,
     player: &'a Player,
@@ -217,7 +223,7 @@ impl Shoot<'_> {
         &mut self,
         seconds: f64,
         camera: Option<&Camera>,
-        out: &Path,
+        out: &Output,
     ) -> anyhow::Result<()> {
         let poses = row(self.avatar, self.player, seconds, self.args.count.into());
         let camera = match camera {
@@ -232,14 +238,14 @@ impl Shoot<'_> {
         };
         let poses: Vec<&Posed> = poses.iter().collect();
         let image = self.renderer.draw(&poses, &camera)?;
-        write_png(&image, self.args.background, out)
+        write_image(&image, self.args.background, out)
     }
 
     /// An image of one time from each camera.
     fn draw_cameras(&mut self, cameras: &[Camera]) -> anyhow::Result<()> {
-        let out = &self.args.out;
+        let out = self.out;
         for (number, camera) in cameras.iter().enumerate() {
-            self.draw_image(self.args.time, Some(camera), &numbered(out, number))?;
+            self.draw_image(self.args.time, Some(camera), &out.numbered(number))?;
         }
         print_range(out, 0..cameras.len());
         Ok(())
@@ -247,11 +253,11 @@ impl Shoot<'_> {
 
     /// An image of each frame of a range.
     fn draw_frames(&mut self, frames: Range<usize>) -> anyhow::Result<()> {
-        let out = &self.args.out;
+        let out = self.out;
         let rate = self.player.clip().rate;
         let bar = progress::items(frames.len() as u64, "frames");
         for frame in frames.clone() {
-            self.draw_image(frame as f64 / rate, None, &numbered(out, frame))?;
+            self.draw_image(frame as f64 / rate, None, &out.numbered(frame))?;
             bar.inc(1);
         }
         bar.finish_and_clear();
@@ -260,19 +266,33 @@ impl Shoot<'_> {
     }
 }
 
-pub fn run(args: Args) -> anyhow::Result<()> {
+pub fn run(mut args: Args) -> anyhow::Result<()> {
+    let out = &args
+        .out
+        .take()
+        .or(args.to.take())
+        .map_or_else(default_output, Ok)?;
+    ensure!(
+        out.ending() != "jpg" || !matches!(args.background, Background::Transparent),
+        "a .jpg has no transparency: write a .png or .webp, or give --background a colour"
+    );
     let (mut avatar, player) = args.source.load_player()?;
     args.quality.filter.apply(&mut avatar);
     // What can't be drawn is refused before a device is opened, which may take seconds.
     if let Some(frames) = &args.frames {
         check_range(frames, player.clip())?;
+        output::check_series(out, frames.clone())?;
     }
     let cameras = match &args.cameras {
         Some(path) => Some(source::cameras(path, &avatar)?),
         None => None,
     };
+    if let Some(cameras) = &cameras {
+        output::check_series(out, 0..cameras.len())?;
+    }
     let mut shoot = Shoot {
         args: &args,
+        out,
         avatar: &avatar,
         bounds: AvatarBounds::new(&avatar),
         player: &player,
@@ -284,9 +304,17 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some(frames) = &args.frames {
         return shoot.draw_frames(frames.clone());
     }
-    shoot.draw_image(args.time, None, &args.out)?;
-    println!("wrote {}", args.out.display());
+    source::check_time(&player, args.time);
+    shoot.draw_image(args.time, None, out)?;
+    println!("wrote {}", out.display());
     Ok(())
+}
+
+/// The file that is written where none is named.
+fn default_output() -> anyhow::Result<Output> {
+    let out = Output::new("effigy.png".into(), "png");
+    output::check([&out])?;
+    Ok(out)
 }
 
 fn check_range(frames: &Range<usize>, clip: &Clip) -> anyhow::Result<()> {
@@ -326,7 +354,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     let (avatar, player) = source.load_player()?;
     let gpu = Gpu::new(&effigy::vulkan::GpuOptions::headless(None))?;
     println!("drawing a turntable with {}", gpu.probe.name);
-    let mut slow_start = Some(slow_start(&gpu));
+    let mut slow_start = slow_start(&gpu);
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
     files::create_folder(folder)?;
     let background = background(options::BACKGROUND).map_err(anyhow::Error::msg)?;
@@ -339,10 +367,10 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
         let framing = avatar_bounds.framing(&posed.joints);
         let camera = Camera::around(framing, turn * TAU, 0.09, 35f64.to_radians(), size);
         renderer.draw(&posed, &camera, None)?;
-        let out = folder.join(format!("{number:02}.png"));
+        let out = Output::new(folder.join(format!("{number:02}.png")), "png");
         let image = renderer.read_image()?;
         slow_start.take();
-        write_png(&image, background, &out)?;
+        write_image(&image, background, &out)?;
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -351,50 +379,31 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
 }
 
 /// Explains a first start, whose wait is for the driver's compiler.
-fn slow_start(gpu: &Gpu) -> SlowStart {
+fn slow_start(gpu: &Gpu) -> Option<SlowStart> {
     let sentence = slow_start::compiling(&gpu.probe.name);
-    SlowStart::new(move || eprintln!("{sentence}"))
+    cache::is_first_start().then(|| SlowStart::new(move || eprintln!("{sentence}")))
 }
 
-fn write_png(image: &FrameImage, background: Background, out: &Path) -> anyhow::Result<()> {
+fn write_image(image: &FrameImage, background: Background, out: &Output) -> anyhow::Result<()> {
     let pixels = match background {
         Background::Transparent => image.transparent(),
         Background::Color(color) => image.over(color),
     };
-    pixels
-        .save_with_format(out, image::ImageFormat::Png)
-        .with_context(|| format!("{} can't be written", out.display()))
-}
-
-/// `walk.png` and 7 give `walk-0007.png`.
-fn numbered(out: &Path, number: usize) -> PathBuf {
-    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
-    let ending = out
-        .extension()
-        .map_or("png".into(), |ending| ending.to_string_lossy());
-    out.with_file_name(format!("{stem}-{number:04}.{ending}"))
+    picture::write(&pixels, out)
 }
 
 /// Prints the first and the last file of numbered images.
-fn print_range(out: &Path, numbers: Range<usize>) {
+fn print_range(out: &Output, numbers: Range<usize>) {
     println!(
         "wrote {} to {}",
-        numbered(out, numbers.start).display(),
-        numbered(out, numbers.end - 1).display()
+        out.numbered(numbers.start).display(),
+        out.numbered(numbers.end - 1).display()
     );
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn frames_are_numbered_before_the_ending() {
-        assert_eq!(
-            numbered(Path::new("out/walk.png"), 7),
-            Path::new("out/walk-0007.png")
-        );
-    }
 
     #[test]
     fn frame_ranges_are_not_empty() {

@@ -5,6 +5,7 @@ use crate::{
     compare, files,
     interrupt::Interrupts,
     options::{self, QualityArgs},
+    output::{self, Output},
     progress,
     source::Source,
 };
@@ -22,7 +23,13 @@ use effigy_runtime::{
     thermals::{Phone, Recorded, Simulated, Thermals},
     trace::Trace,
 };
-use std::path::PathBuf;
+use std::{
+    path::{Path, PathBuf},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+};
 
 const RATE_ADVICE: &str =
     "promise fewer frames with --fps, draw fewer pixels with --size, or leave the governor on";
@@ -65,8 +72,8 @@ pub struct Args {
     /// Also write a timeline of host and device, a .json for ui.perfetto.dev
     ///
     /// A long soak's timeline has its last frames only.
-    #[arg(long, value_name = "FILE", value_parser = files::json_path)]
-    trace: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = output::JSON.parser())]
+    trace: Option<Output>,
     /// Start of the names of the files to write; .json, .csv, .svg and .png are appended
     #[arg(short, long, value_name = "NAME", default_value = "effigy-soak")]
     out: PathBuf,
@@ -97,7 +104,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some([a, b]) = args.compare.as_deref() {
         return compare::soaks(a, b);
     }
+    check_files(&args.out)?;
     let stop = Interrupts::listen()?;
+    let running = Arc::new(AtomicBool::new(false));
+    // Nothing is measured yet.
+    stop.leave_unless(&running, 130, "stopped before the soak".into());
     let (mut avatar, player) = args.source.load_player()?;
     args.quality.filter.apply(&mut avatar);
     let gpu = Gpu::new(&args.quality.gpu())?;
@@ -144,6 +155,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let mut status = Status::default();
     let mut tick = |session: &Session| status.print(session);
     let mut trace = args.trace.as_ref().map(|_| Trace::new(&gpu));
+    running.store(true, Ordering::Relaxed);
     let report = soak::run(
         &gpu,
         &task,
@@ -159,6 +171,15 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         println!("wrote {}", path.display());
     }
     conclude(&report, &task.bounds)
+}
+
+/// Checks the files of a soak before the work. `out`: begins their names.
+pub fn check_files(out: &Path) -> anyhow::Result<()> {
+    let files = soak::files::ENDINGS.map(|ending| {
+        let path = soak::files::path(out, ending);
+        Output::new(path, ending)
+    });
+    output::check(&files)
 }
 
 /// Where thermal readings come from, at a rate in frames per second.

@@ -1,6 +1,11 @@
 //! `effigy stress`: hard cases against the f64 reference, from a seed.
 
-use crate::{files, options::DeviceArgs, progress};
+use crate::{
+    files,
+    options::DeviceArgs,
+    output::{JSON, Output, OutputFolder},
+    picture, progress,
+};
 use anyhow::{Context, ensure};
 use effigy::vulkan::Gpu;
 use effigy_core::scene::FrameImage;
@@ -44,10 +49,10 @@ pub struct Args {
     large: bool,
     /// Folder for the device's image, the reference's and the avatar of --case
     #[arg(short, long, value_name = "DIR", requires = "case")]
-    out: Option<PathBuf>,
+    out: Option<OutputFolder>,
     /// Also write the result as JSON
-    #[arg(long, value_name = "FILE", conflicts_with = "case")]
-    json: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", conflicts_with = "case", value_parser = JSON.parser())]
+    json: Option<Output>,
     #[command(flatten)]
     device: DeviceArgs,
 }
@@ -99,9 +104,9 @@ fn run_all(args: &Args, gpu: &Arc<Gpu>) -> anyhow::Result<()> {
     });
     bar.finish_and_clear();
     print_report(&report, args.large);
-    if let Some(path) = &args.json {
-        files::write_json(path, &report)?;
-        println!("wrote {}", path.display());
+    if let Some(out) = &args.json {
+        out.write_json(&report)?;
+        println!("wrote {}", out.display());
     }
     ensure!(
         !report.lost,
@@ -283,10 +288,7 @@ fn write_case(case: &StressCase, outcome: &CaseOutcome, folder: &Path) -> anyhow
     files::create_folder(folder)?;
     let path = |ending: &str| folder.join(format!("case-{}{ending}", case.number));
     let save = |image: &FrameImage, path: PathBuf| {
-        image
-            .over([0.5; 3])
-            .save(&path)
-            .with_context(|| format!("{} can't be written", path.display()))
+        picture::write(&image.over([0.5; 3]), &Output::new(path, "png"))
     };
     if let Some([device, reference]) = &outcome.images {
         save(device, path(".png"))?;

@@ -110,10 +110,3 @@ fn over_background(image: &FrameImage) -> anyhow::Result<RgbaImage> {
     let background = options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?;
     Ok(image.over(background))
 }
-
-/// Writes a picture as a PNG.
-pub fn save(picture: &RgbaImage, out: &Path) -> anyhow::Result<()> {
-    picture
-        .save_with_format(out, image::ImageFormat::Png)
-        .with_context(|| format!("{} can't be written", out.display()))
-}

@@ -8,6 +8,7 @@ use crate::{
     fit,
     interrupt::Interrupts,
     options::{self, DeviceArgs},
+    output::{AVATAR, Output, OutputFolder},
     progress,
 };
 use anyhow::Context;
@@ -42,9 +43,10 @@ pub struct Args {
         short,
         long,
         value_name = "FILE",
-        required_unless_present = "show_recipe"
+        required_unless_present = "show_recipe",
+        value_parser = AVATAR.parser()
     )]
-    out: Option<PathBuf>,
+    out: Option<Output>,
     /// Recipe: a TOML file with every weight, rate and count
     #[arg(long, value_name = "FILE", conflicts_with = "recipe")]
     config: Option<PathBuf>,
@@ -65,7 +67,7 @@ pub struct Args {
     resume: bool,
     /// Folder of the training: checkpoints, log, recipe [default: OUT with the ending .training]
     #[arg(long, value_name = "DIR")]
-    folder: Option<PathBuf>,
+    folder: Option<OutputFolder>,
     /// Body model: an .npz with the arrays of SMPL-X [default: template.npz in the capture]
     #[arg(long, value_name = "FILE")]
     template: Option<PathBuf>,
@@ -124,6 +126,9 @@ impl Ended {
 impl fmt::Display for Ended {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Stopped { steps: 0 } => {
+                f.write_str("stopped before the first step; the same command with --resume goes on")
+            }
             Self::Stopped { steps } => write!(
                 f,
                 "stopped after {steps} steps; the same command with --resume goes on"
@@ -143,16 +148,20 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (Some(folder), Some(out)) = (&args.capture, &args.out) else {
         anyhow::bail!("a capture and --out are needed");
     };
-    let work = args
-        .folder
-        .clone()
-        .unwrap_or_else(|| out.with_extension("training"));
+    let work = match &args.folder {
+        Some(folder) => folder.to_path_buf(),
+        None => out.with_extension("training"),
+    };
     let recipe = with_known_weights(recipe(&args)?, &args, &work);
-    let above = out.parent().filter(|above| !above.as_os_str().is_empty());
-    if let Some(above) = above.filter(|above| !above.is_dir()) {
-        anyhow::bail!("{}: no such folder to write the avatar to", above.display());
-    }
     let stop = Interrupts::listen()?;
+    let learned = Arc::new(AtomicBool::new(false));
+    // Whoever starts trainings is told to try again, as when one has begun.
+    let begun_nothing = Ended::Stopped { steps: 0 };
+    stop.leave_unless(
+        &learned,
+        begun_nothing.exit_code(),
+        begun_nothing.to_string(),
+    );
     let capture = read_capture(folder, &args)?;
     let gpu = Gpu::new(&args.device.gpu())?;
     let name = out.file_stem().unwrap_or_default().to_string_lossy();
@@ -164,6 +173,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         checkpoint_every: Duration::from_secs_f64(args.checkpoint),
         log_every: 50,
         perceptual_weights: args.weights.clone(),
+        learned,
         name: name.into_owned(),
         credit: String::new(),
     };
@@ -195,7 +205,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         .into()),
         Outcome::Done(avatar) => {
             avatar.write(out)?;
-            let megabytes = std::fs::metadata(out).map_or(0.0, |file| file.len() as f64 / 1e6);
+            let megabytes = out.metadata().map_or(0.0, |file| file.len() as f64 / 1e6);
             println!(
                 "{}: {} Gaussians, {} rows; {megabytes:.1} MB after {} steps; log and checkpoints in {}",
                 out.display(),

@@ -1,9 +1,11 @@
 //! `effigy view`, and what `effigy` does without a subcommand.
 
+#[cfg(feature = "window")]
+use crate::soak;
 use crate::{
     advice::Advised,
-    files,
     options::{self, QualityArgs},
+    output::{self, Output},
     render,
     source::Source,
 };
@@ -50,8 +52,8 @@ pub struct Args {
     #[arg(long, value_name = "MINUTES", value_parser = options::minutes)]
     soak: Option<f64>,
     /// Also write a timeline of host and device, a .json for ui.perfetto.dev
-    #[arg(long, value_name = "FILE", value_parser = files::json_path)]
-    trace: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = output::JSON.parser())]
+    trace: Option<Output>,
     #[command(flatten, next_help_heading = "Quality")]
     quality: QualityArgs,
 }
@@ -114,7 +116,7 @@ impl Args {
         use effigy_measure::soak::faults::SoakLimits;
         let soak = self.soak.map(|minutes| SoakOptions {
             seconds: 60.0 * minutes,
-            out: "effigy-soak".into(),
+            out: SOAK.into(),
             bounds: SoakLimits::default(),
         });
         (self.governor || soak.is_some()).then_some(QualityControl {
@@ -125,6 +127,10 @@ impl Args {
     }
 }
 
+/// Begins the names of a soak's files.
+#[cfg(feature = "window")]
+const SOAK: &str = "effigy-soak";
+
 #[cfg(feature = "window")]
 fn show(display: effigy_app::Display, args: Args) -> anyhow::Result<()> {
     let quality_control = args.quality_control();
@@ -132,6 +138,9 @@ fn show(display: effigy_app::Display, args: Args) -> anyhow::Result<()> {
         args.fps.is_none() || quality_control.is_some(),
         "--fps is a rate to hold: give --governor or --soak with it"
     );
+    if args.soak.is_some() {
+        soak::check_files(Path::new(SOAK))?;
+    }
     let (avatar, clips) = args.source.load()?;
     let file_list = args.file_list(&avatar.name);
     let renderer = RendererOptions {
@@ -147,7 +156,7 @@ fn show(display: effigy_app::Display, args: Args) -> anyhow::Result<()> {
         file_list,
         opener: Some(Arc::new(args.source)),
         quality_control,
-        trace: args.trace,
+        trace: args.trace.as_deref().map(Path::to_path_buf),
         ..effigy_app::ViewerOptions::new(renderer)
     };
     display.show(avatar, clips, options)

@@ -351,6 +351,42 @@ pub fn difference(name: &str, a: String, b: String) -> Option<String> {
     (a != b).then(|| format!("the {name} differs: {a} against {b}"))
 }
 
+/// Whether the second of two numbers of reports is better, by their name. None where neither is: they
+/// differ by less than one per cent, or more of it is neither good nor bad.
+pub fn is_better(name: &str, [a, b]: [f64; 2]) -> Option<bool> {
+    /// What can't be told from how measurements vary anyway.
+    const EQUAL: f64 = 0.01;
+    const MORE: [&str; 3] = ["psnr_db", "fps", "within_tolerance"];
+    const LESS: [&str; 17] = [
+        "frame_ms",
+        "gpu_ms",
+        "busy_ms",
+        "time_ratio",
+        "max_error",
+        "flip",
+        "added_flicker",
+        "gpu_memory",
+        "device_bytes",
+        "resident_bytes",
+        "late",
+        "dropped",
+        "governor",
+        "headroom",
+        "celsius",
+        "watts",
+        "faults",
+    ];
+    let begins = |list: &[&str]| list.iter().any(|start| name.starts_with(start));
+    let more = begins(&MORE);
+    let is_judged = more || begins(&LESS) || name.ends_with("_ms_median");
+    let is_equal = if name.starts_with("psnr") {
+        a == b || (b - a).abs() < 20.0 * (1.0 + EQUAL).log10()
+    } else {
+        (b - a).abs() <= EQUAL * a.abs()
+    };
+    (is_judged && !is_equal && !a.is_nan() && !b.is_nan()).then_some((b > a) == more)
+}
+
 /// The title of a chart: what was measured, at which size (px), and on what.
 pub fn chart_title(avatar: &Subject, size: [u32; 2], device: &DeviceReport) -> String {
     format!(
@@ -362,6 +398,27 @@ pub fn chart_title(avatar: &Subject, size: [u32; 2], device: &DeviceReport) -> S
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
+
+    #[test]
+    fn more_decibels_and_fewer_milliseconds_are_better() {
+        for (name, values, expected) in [
+            ("psnr_db", [50.0, 51.0], Some(true)),
+            ("psnr_db_whole", [f64::INFINITY, 51.0], Some(false)),
+            ("psnr_db", [f64::INFINITY; 2], None),
+            ("psnr_db", [50.0, 50.05], None),
+            ("frame_ms_median", [10.0, 8.0], Some(true)),
+            ("frame_ms_p99", [10.0, 10.05], None),
+            ("raster_ms_median", [1.0, 2.0], Some(false)),
+            ("fps", [60.0, 30.0], Some(false)),
+            ("max_error", [0.0, 0.1], Some(false)),
+            ("faults", [1.0, 0.0], Some(true)),
+            ("fps", [60.0, f64::NAN], None),
+            ("covered_pixels", [1.0, 2.0], None),
+            ("raster_ran", [1.0, 2.0], None),
+        ] {
+            assert_eq!(is_better(name, values), expected, "{name} {values:?}");
+        }
+    }
 
     pub(crate) fn program() -> Program {
         Program {

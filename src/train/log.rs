@@ -109,7 +109,13 @@ fn append(file: &Path, progress: &Progress) -> io::Result<()> {
     );
     let mut open = fs::OpenOptions::new();
     let mut log = open.create(true).append(true).open(file)?;
-    io::Write::write_all(&mut log, text.as_bytes())
+    let length = log.metadata()?.len();
+    let written = io::Write::write_all(&mut log, text.as_bytes());
+    if written.is_err() {
+        // Half a line would spoil the next. The user must see the first failure.
+        log.set_len(length).ok();
+    }
+    written
 }
 
 /// Cuts a log to the first so many steps: what came after the checkpoint comes again.

@@ -60,6 +60,8 @@ pub struct SessionOptions {
     pub log_every: u64,
     /// Where the weights of the perceptual loss are.
     pub perceptual_weights: PathBuf,
+    /// Set with the first step. Before it there is nothing to save when the program is to end.
+    pub learned: Arc<AtomicBool>,
     /// Name of the avatar.
     pub name: String,
     /// Where it comes from.
@@ -411,6 +413,7 @@ impl Session {
             }
             let looked = coming.recv().map_err(|_| TrainError::LoaderEnded)??;
             self.step(looked, share, &mut sums)?;
+            self.options.learned.store(true, Ordering::Relaxed);
             if self.steps().is_multiple_of(self.options.log_every) || self.steps() == 1 {
                 let progress = sums.take(self.now());
                 log::add(&self.options.folder, &progress)?;
@@ -422,6 +425,9 @@ impl Session {
             }
             if saved.elapsed() >= self.options.checkpoint_every {
                 self.save()?;
+                if stop.load(Ordering::Relaxed) {
+                    return Ok(Outcome::Stopped);
+                }
                 self.watch()?;
                 saved = Instant::now();
             }

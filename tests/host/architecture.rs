@@ -88,6 +88,8 @@ const LAYERS: &[Layers] = &[
             "groups",
             "interrupt",
             "options",
+            "output",
+            "picture",
             "progress",
             "fit",
             "distil",

@@ -501,13 +501,16 @@ fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
     );
     assert!(said.contains("200 × 240"), "{said}");
     let said = works(folder.path(), "inspect still.ply");
-    assert!(said.contains("nothing moves inside"), "{said}");
+    assert!(
+        said.contains("splats      still") && said.contains("up          y"),
+        "{said}"
+    );
     works(
         folder.path(),
         "export-ply --uniform 0.003,0.9 --out balls.ply",
     );
     let said = works(folder.path(), "inspect balls.ply");
-    assert!(said.contains("3.00 to 3.00 mm"), "{said}");
+    assert!(said.contains("0.003 to 0.003, median 0.003"), "{said}");
     let message = fails(folder.path(), "render --cameras still.ply");
     assert!(
         message.contains("cameras as 3DGS or mmlphuman writes them"),

@@ -6,6 +6,7 @@ mod common;
 mod commands;
 mod motion;
 mod opened;
+mod outputs;
 mod pack;
 mod soak;
 mod splats;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
             commands,
             motion,
             opened,
+            outputs,
             pack,
             soak,
             splats,

@@ -88,7 +88,7 @@ fn what_can_not_be_packed_or_read_is_said_in_one_sentence() {
     let what = "pack small.avatar --motion small.motion --frames 0";
     assert!(
         fails(folder.path(), &format!("{what} --out none/a.avatar"))
-            .contains("cannot write none/a.avatar")
+            .contains("none/a.avatar can't be written: there is no folder none")
     );
     std::fs::write(folder.path().join("a.ply"), "ply\n").unwrap();
     assert!(fails(folder.path(), "pack a.ply --out a.avatar").contains("without `end_header`"));

@@ -6,10 +6,10 @@ mod report;
 
 use crate::{
     backend::BackendArg,
-    files::ChartFile,
     interrupt::Interrupts,
     options::{self, QualityArgs},
-    progress,
+    output::{CHART, CSV, JSON, Output, PNG},
+    picture, progress,
     source::{self, Source},
 };
 use anyhow::{Context, ensure};
@@ -17,14 +17,14 @@ use effigy::vulkan::{trials, tuning::Record};
 use effigy_core::{frame::RendererOptions, io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Parameter, RenderSetting, measured, open,
-    report::SweepReport,
+    report::{BenchReport, SweepReport},
     scene::{RATE, default_frames},
     spread::{self, SpreadInputs},
     strip,
     sweep::{Sweep, run_sweep},
 };
 use effigy_runtime::trace::Trace;
-use files::JsonOutput;
+use image::buffer::ConvertBuffer;
 use std::{path::PathBuf, str::FromStr};
 
 #[derive(clap::Args, Debug)]
@@ -50,8 +50,8 @@ pub struct Args {
     rounds: usize,
     /// Plot a sweep's times against its errors, to an .svg or a .png; sweeps all parameters unless
     /// --sweep names some
-    #[arg(long, value_name = "FILE", value_parser = crate::files::chart)]
-    pareto: Vec<ChartFile>,
+    #[arg(long, value_name = "FILE", value_parser = CHART.parser())]
+    pareto: Vec<Output>,
     /// Frames to time, spread over the clip, 1 or more [default: 48; 24 in each round of a sweep
     /// and for flicker; 200 for zoom]
     #[arg(long, value_name = "N")]
@@ -88,18 +88,18 @@ pub struct Args {
     #[arg(long)]
     words: bool,
     /// Also write the result as JSON; without FILE, print JSON and nothing else
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", value_parser = files::json)]
-    json: Option<JsonOutput>,
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", value_parser = JSON.parser())]
+    json: Option<Output>,
     /// Also write the result as comma-separated values
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = CSV.parser())]
+    csv: Option<Output>,
     /// Also write a timeline of host and device, a .json for ui.perfetto.dev
-    #[arg(long, value_name = "FILE", value_parser = crate::files::json_path)]
-    trace: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
+    trace: Option<Output>,
     /// Also draw the avatar of each case that has a height as large as it is shown, as these options
     /// draw it, and as it should look, enlarged one above the other, into a .png
-    #[arg(long, value_name = "FILE", value_parser = files::png)]
-    strip: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = PNG.parser())]
+    strip: Option<Output>,
     /// Graphics API to draw with
     #[arg(long, value_enum, default_value_t = BackendArg::Vulkan)]
     backend: BackendArg,
@@ -276,7 +276,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         bar.set_position(done as u64);
         bar.set_message(what.to_owned());
     };
-    let quiet = args.json.as_ref().is_some_and(JsonOutput::is_stdout);
+    let quiet = args.json.as_ref().is_some_and(Output::is_stdout);
     if !quiet {
         report::print_heading(&report);
     }
@@ -290,6 +290,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         None => None,
     };
     let mut trace = traced.map(|(_, gpu)| Trace::new(gpu));
+    let keep = |report: &BenchReport| match &args.json {
+        Some(out) => out.keep_json(report),
+        None => Ok(()),
+    };
     for &case in &job.cases {
         let task = task_of(case, false);
         let measured =
@@ -298,7 +302,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             bar.suspend(|| report::print_case(case, &measured));
         }
         report.cases.push(measured);
-        files::keep(&report, args.json.as_ref())?;
+        keep(&report)?;
     }
     if args.spread > 0 && !job.cases.is_empty() {
         let inputs = SpreadInputs {
@@ -312,7 +316,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         if let (Some(spread), false) = (&report.spread, quiet) {
             bar.suspend(|| report::print_spread(spread));
         }
-        files::keep(&report, args.json.as_ref())?;
+        keep(&report)?;
     }
     if !job.parameters.is_empty() {
         let task = task_of(job.sweep_case, true);
@@ -326,16 +330,16 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         let mut keep = |sweep: SweepReport| {
             report.sweep = Some(sweep);
             if kept.is_ok() {
-                kept = files::keep(&report, args.json.as_ref());
+                kept = keep(&report);
             }
         };
         run_sweep(&gpu, &task, &plan, &mut show, &mut keep)?;
         kept?;
     }
-    if let Some(path) = &args.strip {
+    if let Some(out) = &args.strip {
         let task = task_of(job.sweep_case, false);
         let strip = strip::strip(&gpu, &task, &job.setting, &job.cases, &mut show)?;
-        files::save_png(path, &strip)?;
+        picture::write(&strip.convert(), out)?;
     }
     bar.finish_and_clear();
     if let (Some((path, gpu)), Some(trace)) = (traced, &trace) {
@@ -344,10 +348,5 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let (Some(sweep), false) = (&report.sweep, quiet) {
         report::print_sweep(sweep);
     }
-    files::write(
-        &report,
-        args.json.as_ref(),
-        args.csv.as_deref(),
-        &args.pareto,
-    )
+    files::write(&report, args.json.as_ref(), args.csv.as_ref(), &args.pareto)
 }

@@ -2,22 +2,18 @@
 //! written with each: it is not lost if the program is stopped.
 
 use super::facts::{optional, sort, tunings};
-use crate::files;
+use crate::output::Output;
 use effigy::vulkan::{Probe, probe::version, tuning::Tuning};
 use serde_json::{Value, json};
-use std::path::Path;
 
-/// Prints the devices, or writes them to a file. `measures`: whether ways to draw on a device are
+/// Writes the devices. `measures`: whether ways to draw on a device are
 /// timed that nobody timed yet.
 pub fn write(
     probes: &[Probe],
-    file: Option<&Path>,
+    out: &Output,
     measures: impl Fn(&Probe) -> bool,
 ) -> anyhow::Result<()> {
-    let keep = |devices: &[Value]| match file {
-        Some(file) => files::write_json(file, &devices),
-        None => Ok(()),
-    };
+    let keep = |devices: &[Value]| out.keep_json(&devices);
     let mut devices: Vec<Value> = probes.iter().map(describe).collect();
     keep(&devices)?;
     for (number, probe) in probes.iter().enumerate() {
@@ -39,10 +35,8 @@ pub fn write(
         devices[number]["drawing"] = drawing;
         keep(&devices)?;
     }
-    match file {
-        Some(file) => println!("wrote {}", file.display()),
-        None => println!("{}", serde_json::to_string_pretty(&devices)?),
-    }
+    out.write_json(&devices)?;
+    println!("wrote {}", out.display());
     Ok(())
 }
 

@@ -4,17 +4,19 @@ mod facts;
 mod json;
 mod shaders;
 
-use crate::options::DeviceArgs;
+use crate::{
+    options::DeviceArgs,
+    output::{CSV, JSON, Output},
+};
 use anyhow::ensure;
 use effigy::vulkan::{Error, Probe, instance::Instance, probe::version, tuning::Tuning};
 use facts::{optional, sort, tunings};
-use std::path::PathBuf;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Print JSON, or write it to a file with what is known so far as it is found
-    #[arg(long, value_name = "FILE", num_args = 0..=1, value_parser = crate::files::json_path)]
-    json: Option<Option<PathBuf>>,
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", value_parser = JSON.parser())]
+    json: Option<Output>,
     /// Also time ways to draw on CPU drivers beside a GPU, which takes them half a minute and more
     #[arg(long)]
     cpu: bool,
@@ -25,17 +27,13 @@ pub struct Args {
     #[command(flatten)]
     device: DeviceArgs,
     /// Also write the result as comma-separated values
-    #[arg(long, value_name = "FILE", requires = "shader_stats")]
-    csv: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", requires = "shader_stats", value_parser = CSV.parser())]
+    csv: Option<Output>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     if args.shader_stats {
-        ensure!(
-            !matches!(args.json, Some(Some(_))),
-            "--shader-stats prints JSON; --csv writes a file"
-        );
-        return shaders::run(&args.device, args.json.is_some(), args.csv.as_deref());
+        return shaders::run(&args.device, args.json.as_ref(), args.csv.as_ref());
     }
     ensure!(
         args.device.name.is_none(),
@@ -47,8 +45,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         .iter()
         .any(|probe| !probe.is_cpu() && probe.missing_requirements().is_empty());
     let measures = |probe: &Probe| measures(probe.is_cpu(), has_gpu, args.cpu);
-    if let Some(file) = &args.json {
-        return json::write(&probes, file.as_deref(), measures);
+    if let Some(out) = &args.json {
+        return json::write(&probes, out, measures);
     }
     if probes.is_empty() {
         return Err(Error::NoDevice.into());

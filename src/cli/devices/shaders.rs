@@ -1,23 +1,23 @@
 //! `effigy devices --shader-stats`: what a driver's compiler made of each shader, as a table.
 
-use crate::{files, options::DeviceArgs};
+use crate::{options::DeviceArgs, output::Output};
 use effigy::vulkan::{
     Probe,
     statistics::{self, Executable, Value},
 };
 use serde_json::json;
-use std::{fmt::Write, path::Path};
+use std::fmt::Write;
 
-/// Prints the table, or JSON; writes comma-separated values to a file where one is named.
-pub fn run(device: &DeviceArgs, json: bool, csv: Option<&Path>) -> anyhow::Result<()> {
+/// Prints the table, or writes JSON; writes comma-separated values too where they are asked for.
+pub fn run(device: &DeviceArgs, json: Option<&Output>, csv: Option<&Output>) -> anyhow::Result<()> {
     let (gpu, executables) = statistics::all(&device.gpu(), &effigy_demo::avatar()?)?;
     let probe = &gpu.probe;
-    if let Some(path) = csv {
-        files::write(path, self::csv(probe, &executables)?)?;
+    if let Some(out) = csv {
+        out.write(self::csv(probe, &executables)?)?;
     }
-    if json {
+    if let Some(out) = json {
         let all = json!({ "device": probe.name, "driver": probe.driver, "shaders": executables });
-        println!("{}", serde_json::to_string_pretty(&all)?);
+        out.write_json(&all)?;
     } else {
         println!(
             "{} ({})\n\n{}",

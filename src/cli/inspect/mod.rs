@@ -8,12 +8,15 @@ mod levels;
 mod motion;
 mod pictures;
 mod sheet;
+mod splats;
 mod text;
 
 use crate::{
     files::print_assumptions,
-    source::{CaptureArgs, avatar_to_move, open_clip},
-    thumbnail::{Thumbnails, save},
+    output::{IMAGE, Output},
+    picture,
+    source::{CaptureArgs, avatar_to_move, hint_at_up, open_clip},
+    thumbnail::Thumbnails,
 };
 use anyhow::{Context, bail, ensure};
 use avatar::AvatarSummary;
@@ -30,6 +33,7 @@ use folder::FolderSummary;
 use motion::MotionSummary;
 use pictures::PicturesSummary;
 use serde::Serialize;
+use splats::SplatsSummary;
 use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -55,8 +59,8 @@ pub struct Args {
     capture: CaptureArgs,
     /// Write a picture of it too: the avatar, or one that the motion moves, half way through; of a
     /// folder one of each file, in the list's order, eight a row
-    #[arg(long, value_name = "FILE")]
-    png: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", value_parser = IMAGE.parser())]
+    png: Option<Output>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -66,7 +70,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let Some(file) = &args.file else {
         let demo = effigy_demo::avatar()?;
         if let Some(out) = &args.png {
-            save(&args.thumbnails()?.demo()?, out)?;
+            picture::write(&args.thumbnails()?.demo()?, out)?;
         }
         return print(&AvatarSummary::new(&demo, demo.tensors()), args.json);
     };
@@ -99,7 +103,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     }
     summarise(&args, file)?;
     if let Some(out) = &args.png {
-        save(&args.thumbnails()?.of(file)?, out)?;
+        picture::write(&args.thumbnails()?.of(file)?, out)?;
     }
     Ok(())
 }
@@ -116,6 +120,12 @@ fn summarise(args: &Args, file: &Path) -> anyhow::Result<()> {
             CheckpointSummary::new(&checkpoint)
         })?;
         return print(&summary, args.json);
+    }
+    if matches!(content, Content::Splats(_)) {
+        let found = open::splats(file, None)?;
+        print_assumptions(file, &found.assumptions);
+        hint_at_up(file, None);
+        return print(&SplatsSummary::new(file, &found.splats), args.json);
     }
     if content.is_avatar() {
         let imported = open::avatar(file, &OpenOptions::default())?;

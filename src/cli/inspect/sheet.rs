@@ -1,8 +1,9 @@
 //! Pictures of a folder's files on one sheet.
 
 use crate::{
-    progress,
-    thumbnail::{SIZE, Thumbnails, save},
+    output::Output,
+    picture, progress,
+    thumbnail::{SIZE, Thumbnails},
 };
 use anyhow::ensure;
 use image::{RgbaImage, imageops};
@@ -19,7 +20,7 @@ const EMPTY: [u8; 4] = [64, 64, 64, 255];
 
 /// Writes a sheet of files' pictures in their order. What can't be drawn leaves its place empty, and
 /// is said to.
-pub fn write(thumbnails: &Thumbnails, files: &[&Path], out: &Path) -> anyhow::Result<()> {
+pub fn write(thumbnails: &Thumbnails, files: &[&Path], out: &Output) -> anyhow::Result<()> {
     ensure!(!files.is_empty(), "there is nothing to draw for --png");
     let drawn = &files[..files.len().min(MOST)];
     if drawn.len() < files.len() {
@@ -43,5 +44,5 @@ pub fn write(thumbnails: &Thumbnails, files: &[&Path], out: &Path) -> anyhow::Re
         bar.inc(1);
     }
     bar.finish_and_clear();
-    save(&sheet, out)
+    picture::write(&sheet, out)
 }

@@ -5,7 +5,7 @@ use super::{
     report::{BenchReport, SCHEMA},
     table::{self, Cell, TableRow},
 };
-use crate::report::{ReadError, Setup, present_skip_names, read_report};
+use crate::report::{ReadError, Setup, is_better, present_skip_names, read_report};
 
 /// Reads a benchmark's report.
 ///
@@ -62,6 +62,13 @@ impl BenchNumber {
             };
             finite(ratio).map_or(Change::None, Change::Ratio)
         }
+    }
+}
+
+impl BenchNumber {
+    /// Whether the second is better than the first; None where they are as good.
+    pub fn is_better(&self) -> Option<bool> {
+        is_better(&self.name, [self.a, self.b])
     }
 }
 

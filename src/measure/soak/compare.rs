@@ -2,7 +2,7 @@
 //! come out.
 
 use super::report::{Drift, SCHEMA, Second, SoakReport};
-use crate::report::{ReadError, Setup, difference, read_report};
+use crate::report::{ReadError, Setup, difference, is_better, read_report};
 
 /// Reads a soak's report.
 ///
@@ -19,6 +19,14 @@ pub struct SoakNumber {
     pub name: &'static str,
     /// Of the first and of the second; None where a report does not have it.
     pub values: [Option<f64>; 2],
+}
+
+impl SoakNumber {
+    /// Whether the second is better than the first; None where they are as good.
+    pub fn is_better(&self) -> Option<bool> {
+        let [a, b] = self.values;
+        is_better(self.name, [a?, b?])
+    }
 }
 
 /// Every number, and a sentence for each fact that differs.

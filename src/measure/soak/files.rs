@@ -3,9 +3,20 @@
 
 use super::{plot, report::SoakReport, table};
 use anyhow::Context;
+use effigy_core::io::file::write_whole;
 use std::path::{Path, PathBuf};
 
-/// Writes all files and returns their paths. `out` is their path without an extension.
+/// The endings of the files.
+pub const ENDINGS: [&str; 4] = ["json", "csv", "svg", "png"];
+
+/// The path of one of the files. `out` is its path without the ending.
+pub fn path(out: &Path, ending: &str) -> PathBuf {
+    let mut path = out.as_os_str().to_owned();
+    path.push(format!(".{ending}"));
+    path.into()
+}
+
+/// Writes all files and returns their paths. `out` is their path without an ending.
 ///
 /// # Errors
 /// When a file can't be written or the chart can't be drawn.
@@ -23,10 +34,8 @@ pub fn write_report(report: &SoakReport, out: &Path) -> anyhow::Result<Vec<PathB
     Ok(paths)
 }
 
-fn write_file(out: &Path, extension: &str, bytes: &[u8]) -> anyhow::Result<PathBuf> {
-    let mut path = out.as_os_str().to_owned();
-    path.push(format!(".{extension}"));
-    let path = PathBuf::from(path);
-    std::fs::write(&path, bytes).with_context(|| format!("{} can't be written", path.display()))?;
+fn write_file(out: &Path, ending: &str, bytes: &[u8]) -> anyhow::Result<PathBuf> {
+    let path = path(out, ending);
+    write_whole(&path, bytes).with_context(|| format!("{} can't be written", path.display()))?;
     Ok(path)
 }

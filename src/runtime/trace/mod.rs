@@ -10,10 +10,13 @@ mod event;
 
 use align::{Alignment, Clock, nanoseconds_since};
 use effigy::vulkan::{Gpu, Moment};
-use effigy_core::frame::report::{FrameReport, HostTimes};
+use effigy_core::{
+    frame::report::{FrameReport, HostTimes},
+    io::file::write_whole,
+};
 use event::{DEVICE, HOST, TraceEvent, TraceSlice};
 use serde_json::json;
-use std::{collections::VecDeque, fs, io, path::Path, time::Instant};
+use std::{collections::VecDeque, io, path::Path, time::Instant};
 
 /// The last frames, and as many counter values, are in the file.
 const CAPACITY: usize = 3000;
@@ -137,7 +140,7 @@ impl Trace {
     /// # Errors
     /// When it can't be written.
     pub fn write(&self, path: &Path, gpu: &Gpu) -> io::Result<()> {
-        fs::write(path, self.to_json(gpu).to_string())
+        write_whole(path, self.to_json(gpu).to_string().as_bytes())
     }
 
     /// Adds a frame's slice on the host, with its waiting, recording and submission inside.

@@ -26,6 +26,17 @@ pub fn folder() -> Option<PathBuf> {
     })
 }
 
+/// Begins the names of files with pipelines.
+const PIPELINES: &str = "pipelines-";
+
+/// Whether no program of this user has drawn anything yet: the first waits for the driver to compile
+/// shaders.
+pub fn is_first_start() -> bool {
+    let files = folder().and_then(|folder| fs::read_dir(folder).ok());
+    let mut names = files.into_iter().flatten().flatten();
+    !names.any(|file| file.file_name().to_string_lossy().starts_with(PIPELINES))
+}
+
 /// Writes a file of the cache, and the folder where there is none. It appears whole or not at all,
 /// also when two programs write at once.
 pub(crate) fn write(path: &Path, data: &[u8]) -> io::Result<()> {
@@ -63,7 +74,7 @@ impl PipelineCache {
     /// One file a device and driver build. The driver checks the content; its header is compared
     /// here too, since not all do.
     pub(crate) fn open(device: &Arc<Device>, probe: &Probe) -> Self {
-        let name = format!("pipelines-{}.bin", probe.cache_key());
+        let name = format!("{PIPELINES}{}.bin", probe.cache_key());
         let path = folder().map(|folder| folder.join(name));
         let data = path
             .as_ref()

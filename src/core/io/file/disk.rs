@@ -1,10 +1,11 @@
 //! Reading and writing whole files.
 
 use super::error::{FileError, FormatError};
-use std::fs::{self, File};
+use crate::random::hash;
+use std::ffi::OsString;
+use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
-use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::path::{Path, PathBuf};
 
 /// Maps a file and decodes it.
 pub fn read_with<T>(
@@ -64,28 +65,268 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 }
 
 /// Writes a file beside `path` and renames it, so that the target is either the old file or the
-/// whole new one.
+/// whole new one. Links are followed and stay; what is no file, as `/dev/stdout`, is written to. What
+/// a program that was killed left of such a write is written over.
 ///
 /// # Errors
 /// When the file cannot be written. A file that was at `path` is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    // Two threads may write the same file: each has a part of its own.
-    static WRITES: AtomicU64 = AtomicU64::new(0);
-    let write = WRITES.fetch_add(1, Ordering::Relaxed);
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.{write}.part", std::process::id()));
-    let part = path.with_file_name(name);
-    let outcome = write_synced(&part, bytes).and_then(|()| fs::rename(&part, path));
-    if outcome.is_err() {
-        // A failed removal is not reported: the user must see the first failure.
-        fs::remove_file(&part).ok();
-    }
-    outcome
+    let Some(mut part) = Part::beside(path)? else {
+        return fs::write(path, bytes);
+    };
+    part.file.write_all(bytes)?;
+    part.file.sync_all()?;
+    fs::rename(&part.path, &part.target)?;
+    part.is_over = true;
+    Ok(())
 }
 
-fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
+/// Says before the work whether [`write_whole`] could write a file, which it leaves as it is.
+///
+/// # Errors
+/// When its folder is missing or cannot be written to, or there is something that cannot be
+/// replaced.
+pub fn check_writable(path: &Path) -> io::Result<()> {
+    if path.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    Part::beside(path).map(drop)
+}
+
+/// Where a file is, or would be: absolute, with every link followed.
+///
+/// # Errors
+/// When its folder is missing, or links lead in a circle.
+pub fn place(path: &Path) -> io::Result<PathBuf> {
+    const LINKS: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..LINKS {
+        if let Ok(whole) = fs::canonicalize(&path) {
+            return Ok(whole);
+        }
+        let above = path.parent().unwrap_or(Path::new(""));
+        if let Ok(to) = fs::read_link(&path) {
+            path = above.join(to);
+            continue;
+        }
+        let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+        return Ok(fs::canonicalize(Path::new(".").join(above))?.join(name));
+    }
+    Err(io::Error::other("links that lead in a circle"))
+}
+
+/// A file that is being written, beside the one that it is to replace. It is removed unless that is
+/// done.
+struct Part {
+    path: PathBuf,
+    /// Locked while it is written, so that what nobody writes any more can be told.
+    file: File,
+    target: PathBuf,
+    is_over: bool,
+}
+
+impl Part {
+    /// None where there is something that is no file, and can only be written to.
+    fn beside(path: &Path) -> io::Result<Option<Self>> {
+        let found = fs::metadata(path).ok();
+        if found.as_ref().is_some_and(|found| !found.is_file()) {
+            return Ok(None);
+        }
+        if found.as_ref().is_some_and(|f| f.permissions().readonly()) {
+            return Err(io::Error::new(
+                io::ErrorKind::PermissionDenied,
+                "it is write-protected",
+            ));
+        }
+        let target = place(path)?;
+        // Two programs, or threads, may write one file: each has a part of its own.
+        let part = (0..).find_map(|number| Self::open(&target, number).transpose());
+        let part = part.ok_or(io::ErrorKind::ResourceBusy)??;
+        if let Some(found) = found {
+            // Who may read the file is worth keeping, but no reason not to write it.
+            part.file.set_permissions(found.permissions()).ok();
+        }
+        Ok(Some(part))
+    }
+
+    /// None where the part of that number is being written.
+    fn open(target: &Path, number: u64) -> io::Result<Option<Self>> {
+        let path = target.with_file_name(part_name(target, number));
+        let mut options = File::options();
+        options.write(true);
+        let (file, is_new) = match options.clone().create_new(true).open(&path) {
+            Ok(file) => (file, true),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                match options.open(&path) {
+                    Ok(file) => (file, false),
+                    Err(_) => return Ok(None),
+                }
+            }
+            Err(error) => return Err(error),
+        };
+        let is_own = match file.try_lock() {
+            // The one who wrote it may have renamed it before the lock was had.
+            Ok(()) => is_new || is_at(&file, &path),
+            Err(TryLockError::WouldBlock) => false,
+            // There are no locks here.
+            Err(TryLockError::Error(_)) => is_new,
+        };
+        if !is_own {
+            return Ok(None);
+        }
+        file.set_len(0)?;
+        Ok(Some(Self {
+            path,
+            file,
+            target: target.into(),
+            is_over: false,
+        }))
+    }
+}
+
+impl Drop for Part {
+    fn drop(&mut self) {
+        if !self.is_over {
+            // A failed removal is not reported: the user must see the first failure.
+            fs::remove_file(&self.path).ok();
+        }
+    }
+}
+
+/// A name that hides, and that a file system takes however long the target's is.
+fn part_name(target: &Path, number: u64) -> OsString {
+    /// Bytes of a name that leave room for the rest.
+    const LONG: usize = 200;
+    let mut name = OsString::from(".");
+    let own = target.file_name().unwrap_or_default();
+    if own.len() > LONG {
+        let sum = own.as_encoded_bytes().iter();
+        let sum = sum.fold(0, |sum, &byte| hash(sum ^ u64::from(byte)));
+        name.push(format!("{sum:016x}"));
+    } else {
+        name.push(own);
+    }
+    if number > 0 {
+        name.push(format!(".{number}"));
+    }
+    name.push(".part");
+    name
+}
+
+/// Whether an open file is still the one of that name.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let of = |found: fs::Metadata| [found.dev(), found.ino()];
+    let open = file.metadata().map(of);
+    open.is_ok_and(|open| fs::symlink_metadata(path).is_ok_and(|found| of(found) == open))
+}
+
+#[cfg(not(unix))]
+fn is_at(_: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    use std::thread;
+
+    fn names(folder: &Path) -> usize {
+        fs::read_dir(folder).unwrap().count()
+    }
+
+    #[test]
+    fn a_file_is_replaced_and_nothing_is_left_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["a.json".to_owned(), "l".repeat(255)] {
+            let path = folder.path().join(name);
+            for text in ["first, and longer", "second"] {
+                check_writable(&path).unwrap();
+                write_whole(&path, text.as_bytes()).unwrap();
+                assert_eq!(fs::read_to_string(&path).unwrap(), text);
+            }
+        }
+        assert_eq!(names(folder.path()), 2);
+        let private = folder.path().join("private");
+        write_whole(&private, b"old").unwrap();
+        fs::set_permissions(&private, fs::Permissions::from_mode(0o600)).unwrap();
+        write_whole(&private, b"new").unwrap();
+        let mode = private.metadata().unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o600);
+    }
+
+    #[test]
+    fn what_can_not_be_replaced_is_refused_and_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("kept");
+        fs::write(&path, "old").unwrap();
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o444)).unwrap();
+        let circle = folder.path().join("circle");
+        symlink("circle", &circle).unwrap();
+        for path in [
+            &path,
+            &path.join("below"),
+            &folder.path().join("none/a"),
+            folder.path(),
+            &circle,
+        ] {
+            assert!(check_writable(path).is_err(), "{path:?}");
+            assert!(write_whole(path, b"new").is_err(), "{path:?}");
+        }
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(names(folder.path()), 2);
+    }
+
+    #[test]
+    fn links_are_followed_and_devices_written_to() {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, link, far] = ["file", "link", "far"].map(|name| folder.path().join(name));
+        symlink("far", &link).unwrap();
+        symlink("file", &far).unwrap();
+        // The first time the links lead nowhere.
+        for text in ["old", "new"] {
+            write_whole(&link, text.as_bytes()).unwrap();
+            assert_eq!(fs::read_to_string(&file).unwrap(), text);
+            assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        }
+        check_writable(Path::new("/dev/null")).unwrap();
+        write_whole(Path::new("/dev/null"), b"gone").unwrap();
+    }
+
+    #[test]
+    fn what_a_kill_left_is_written_over_and_what_is_being_written_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        let part = folder.path().join(".a.part");
+        fs::write(&part, "half of a file that was killed").unwrap();
+        write_whole(&path, b"whole").unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "whole");
+        assert_eq!(names(folder.path()), 1);
+        let other = Part::beside(&path).unwrap().unwrap();
+        write_whole(&path, b"beside").unwrap();
+        assert!(part.exists() && names(folder.path()) == 2);
+        drop(other);
+        assert_eq!(names(folder.path()), 1);
+    }
+
+    #[test]
+    fn many_writers_of_one_file_leave_the_whole_of_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        thread::scope(|scope| {
+            for letter in b'a'..b'i' {
+                let path = &path;
+                scope.spawn(move || {
+                    for length in 1..20 {
+                        write_whole(path, &vec![letter; 1000 * length]).unwrap();
+                    }
+                });
+            }
+        });
+        let found = fs::read(&path).unwrap();
+        assert!(found.iter().all(|&byte| byte == found[0]) && found.len() >= 1000);
+        assert_eq!(names(folder.path()), 1);
+    }
 }

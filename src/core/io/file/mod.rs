@@ -21,7 +21,7 @@ mod tensors;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use disk::map;
-pub use disk::{read_with, replace, write_whole};
+pub use disk::{check_writable, place, read_with, replace, write_whole};
 pub use error::{FileError, FormatError, excerpt};
 pub use model_files::{FileContent, tensors, tensors_of};
 pub use order::Neutral;
