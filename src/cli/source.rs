@@ -5,10 +5,11 @@ use crate::{files::print_assumptions, kept, options::named};
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
-    io::{cameras, splats::Up},
+    io::splats::Up,
     scene::Camera,
 };
 use effigy_formats::{
+    cameras,
     open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
     retarget::{Correction, Report, RetargetOptions},
     webavatar::Imported,
@@ -304,8 +305,7 @@ pub fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Reads a `cameras.json` as 3DGS writes it beside a .ply, or mmlphuman beside its checkpoint, in the
-/// avatar's world.
+/// Reads the cameras of another program's file in the avatar's world, and says what it left open.
 pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
     let rest = Pose::rest(avatar.skeleton.len(), 0);
     let world = avatar
@@ -314,7 +314,9 @@ pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
         .first()
         .copied()
         .unwrap_or_default();
-    Ok(cameras::read(path, world)?)
+    let opened = cameras::read(path, world)?;
+    print_assumptions(path, &opened.assumptions);
+    Ok(opened.cameras)
 }
 
 /// The first three names of a list.

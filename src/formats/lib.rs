@@ -7,6 +7,7 @@
 
 pub mod assumption;
 pub mod bvh;
+pub mod cameras;
 pub mod capture;
 pub mod content;
 mod fault;

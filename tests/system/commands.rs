@@ -510,7 +510,7 @@ fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
     assert!(said.contains("3.00 to 3.00 mm"), "{said}");
     let message = fails(folder.path(), "render --cameras still.ply");
     assert!(
-        message.contains("cameras as 3DGS or mmlphuman writes them"),
+        message.contains("expected cameras.json as 3DGS or mmlphuman writes it"),
         "{message}"
     );
 }
