@@ -11,11 +11,13 @@
 
 mod advice;
 mod analyse;
+mod backdrop;
 mod backend;
 mod bake;
 mod bench;
 mod bench_device;
 mod bench_sort;
+mod camera_path;
 mod capture;
 mod compare;
 mod convert;

@@ -7,6 +7,7 @@ mod commands;
 mod motion;
 mod opened;
 mod pack;
+mod shots;
 mod soak;
 mod splats;
 mod trace;
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
             motion,
             opened,
             pack,
+            shots,
             soak,
             splats,
             trace,
