@@ -37,8 +37,8 @@ pub struct Sight {
 
 /// Half the side of the box around a head, and how far its middle is above the head's joint, of the
 /// height of the skeleton.
-const HEAD: f64 = 0.085;
-const HEAD_RISE: f64 = 0.06;
+const HEAD: f64 = 0.1;
+const HEAD_RISE: f64 = 0.07;
 
 impl View {
     /// In the order of their keys, from 1.

@@ -217,7 +217,7 @@ mod tests {
             let step = pair[1][0] - pair[0][0];
             assert!((step.x - 1.2 / 60.0).abs() < 1e-9, "{step}");
             assert!(
-                step.y.abs() < 1e-12 && step.z.abs() < 0.15 * 0.24 / 60.0 + 1e-3,
+                step.y.abs() < 1e-12 && step.z.abs() < 0.5 * 0.24 / 60.0,
                 "{step}"
             );
         }

@@ -93,31 +93,36 @@ pub fn read(path: &Path, world: DAffine3) -> Result<OpenedCameras, FileError> {
     let (cameras, images) = if path.is_dir() {
         let folder = folder(path)?;
         (folder.join("cameras.txt"), folder.join("images.txt"))
-    } else if lists_cameras(&text(path)?) {
-        (path.to_owned(), path.with_file_name("images.txt"))
     } else {
-        (path.with_file_name("cameras.txt"), path.to_owned())
-    };
-    for (own, other) in [(&cameras, &images), (&images, &cameras)] {
-        if own.is_file() && !other.is_file() {
-            let name = other.file_name().unwrap_or_default().to_string_lossy();
-            return Err(content(path, beside(path, &name)));
+        let text = text(path)?;
+        let (found, other) = if lists_cameras(&text) {
+            (
+                "how COLMAP's cameras see, and not where they are",
+                "images.txt",
+            )
+        } else if shots(&text).is_ok_and(|shots| !shots.is_empty()) {
+            (
+                "where COLMAP's images were taken, and not how its cameras see",
+                "cameras.txt",
+            )
+        } else {
+            return Err(content(path, FormatError::container("other text", KNOWN)));
+        };
+        let beside = path.with_file_name(other);
+        if !beside.is_file() {
+            let expected = format!("{other} beside it");
+            return Err(content(path, FormatError::container(found, expected)));
         }
-    }
+        match other {
+            "images.txt" => (path.to_owned(), beside),
+            _ => (beside, path.to_owned()),
+        }
+    };
     let (lens_text, shot_text) = (text(&cameras)?, text(&images)?);
     let lenses = lenses(&lens_text).map_err(|fault| content(&cameras, fault))?;
     let mut shots = shots(&shot_text).map_err(|fault| content(&images, fault))?;
     shots.sort_by(|a, b| a.name.cmp(&b.name));
     opened(&lenses, &shots, world).map_err(|fault| content(&images, fault))
-}
-
-/// Why a file alone is not enough.
-fn beside(path: &Path, other: &str) -> FormatError {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    FormatError::container(
-        format!("`{name}` of COLMAP's two text files, or none"),
-        format!("{other} beside it; or {KNOWN}"),
-    )
 }
 
 /// The folder in `path` that has a model in text.
@@ -157,11 +162,13 @@ fn text(path: &Path) -> Result<String, FileError> {
     })
 }
 
-/// Whether a text begins as `cameras.txt` does.
+/// Whether a text begins as `cameras.txt` does: with a model's name behind a number.
 fn lists_cameras(text: &str) -> bool {
     let line = text.lines().find(|line| !is_comment(line));
     let model = line.and_then(|line| line.split_whitespace().nth(1));
-    model.is_some_and(|model| model.parse::<f64>().is_err())
+    model.is_some_and(|model| {
+        MODELS.iter().any(|known| known.name == model) || OTHERS.contains(&model)
+    })
 }
 
 fn is_comment(line: &str) -> bool {

@@ -104,7 +104,10 @@ fn one_of_colmaps_files_finds_the_other() {
     assert!(failed(root.path()).contains("binary files, expected cameras.txt"));
     assert!(failed(&folder.join("images.bin")).contains("model_converter"));
     fs::write(folder.join("cameras.txt"), COLMAP_CAMERAS).unwrap();
-    assert!(failed(&folder.join("cameras.txt")).contains("expected images.txt beside it"));
+    assert!(
+        failed(&folder.join("cameras.txt"))
+            .contains("not where they are, expected images.txt beside it")
+    );
     fs::write(folder.join("images.txt"), COLMAP_IMAGES).unwrap();
     for name in ["cameras.txt", "images.txt", "", "../.."] {
         let opened = read(&folder.join(name), DAffine3::IDENTITY).unwrap();
@@ -202,11 +205,11 @@ fn what_is_no_pinhole_or_no_camera_is_named() {
         ),
         (
             read_text("x.txt", "hello world").unwrap_err(),
-            "or cameras.json as 3DGS",
+            "found other text, expected cameras.json as 3DGS",
         ),
         (
             read_text("x.json", "").unwrap_err(),
-            "or cameras.json as 3DGS",
+            "found other text, expected cameras.json as 3DGS",
         ),
     ];
     for (error, expected) in cases {
