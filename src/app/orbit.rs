@@ -416,7 +416,7 @@ mod tests {
         ] {
             let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
             let target = orbit.goal.target;
-            for notches in [5.0, 10.0, -3.0, 20.0] {
+            for notches in [2.0, -3.0, 1.0] {
                 orbit.apply(
                     &Gesture {
                         zoom: 0.12 * notches,

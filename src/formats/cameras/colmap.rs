@@ -1,6 +1,6 @@
 //! COLMAP's text files: `cameras.txt` says how cameras see, `images.txt` where each image was taken.
 
-use super::{KNOWN, OpenedCameras, bytes, content, distortion};
+use super::opened::{KNOWN, OpenedCameras, bytes, content, distortion};
 use effigy_core::io::{
     cameras::{PlacedCamera, cameras_of},
     file::{FileError, FormatError, excerpt},

@@ -1,6 +1,7 @@
 //! The layouts of other programs: each sees what it should, and what is wrong is named.
 
 use super::*;
+use effigy_core::scene::Camera;
 use glam::{DVec2, DVec3};
 use std::fs;
 

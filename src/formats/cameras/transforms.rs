@@ -5,7 +5,7 @@
 //! `cx`, `cy`, px, or `camera_angle_x`, the horizontal field of view, radians, stands in a frame or
 //! once for all.
 
-use super::{OpenedCameras, distortion, not_json};
+use super::opened::{OpenedCameras, distortion, not_json};
 use crate::{assumption::Assumption, json::bounded};
 use effigy_core::io::{
     cameras::{PlacedCamera, cameras_of},

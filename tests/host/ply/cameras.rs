@@ -82,7 +82,7 @@ fn cameras_of_mmlphuman_see_what_those_of_3dgs_see() {
         ),
         (
             fault("[400, 0, 320]", "[400, 0, -320]"),
-            "found an image of 0 × 480 px at camera 0",
+            "found an image of -640 × 480 px at camera 0",
         ),
         (
             fault("[400, 0, 320]", "[0, 0, 320]"),
