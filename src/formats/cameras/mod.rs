@@ -1,9 +1,9 @@
 //! Cameras of other programs, told apart by content: `cameras.json` of 3DGS and mmlphuman,
 //! `transforms.json` of NeRF's programs, COLMAP's text files.
 
-pub mod colmap;
-pub mod opened;
-pub mod transforms;
+mod colmap;
+mod opened;
+mod transforms;
 
 pub use opened::OpenedCameras;
 
