@@ -49,7 +49,7 @@ commands() {
   use_driver mesa25:256
   effigy render --size 1024x1024 --out target/demo.png
   effigy bake body --out target/body.avatar
-  effigy bake motion 01_01.bvh --out target/walk.motion
+  effigy bake motion 01_03.bvh --from 27.9 --to 29.6 --out target/walk.motion
   effigy inspect target/body.avatar
   effigy bench target/body.avatar --motion target/walk.motion --size 1024x1024 --frames 4 --check 1 \
     --spread 2 --json target/bench.json

@@ -68,11 +68,11 @@ sed 's|"library_path": "[^"]*"|"library_path": "./libVkLayer_khronos_validation.
 
 if [ -s target/assets/base.obj ]; then
   "$EFFIGY" bake body --out "$tree/data/body.avatar" >/dev/null
-  "$EFFIGY" bake motion target/assets/01_01.bvh --out "$tree/data/walk.motion" >/dev/null
+  "$EFFIGY" bake motion target/assets/01_01.bvh --out "$tree/data/01_01.motion" >/dev/null
 fi
 use_driver mesa25:256
 avatar=()
-[ ! -s "$tree/data/body.avatar" ] || avatar=("$tree/data/body.avatar" --motion "$tree/data/walk.motion")
+[ ! -s "$tree/data/body.avatar" ] || avatar=("$tree/data/body.avatar" --motion "$tree/data/01_01.motion")
 "$EFFIGY" export-ply "${avatar[@]}" --time 1 --views 3 --out "$work/scene.ply" --cameras-out "$tree/data/cameras.json" >/dev/null
 
 # The newest C library that something in the bundle asks for.

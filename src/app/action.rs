@@ -1,10 +1,12 @@
 //! The user's actions, and their keys.
 
-use crate::playback::Repeat;
+use crate::{playback::Repeat, views::View};
 use winit::keyboard::{Key, NamedKey};
 
 /// How far a scrub key goes, seconds.
 const SCRUB: f64 = 1.0;
+/// Logarithm of the zoom of a key.
+const ZOOM: f64 = 0.2;
 
 /// Something that the user asks for with a key, a tap or the panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +33,10 @@ pub enum Action {
     Repeat(Repeat),
     /// Show all of the avatar from the front.
     ResetView,
+    /// Show the avatar from a side, or its face.
+    View(View),
+    /// Zoom towards what is in the middle: the logarithm of the magnification.
+    Zoom(f64),
     /// Whether the view moves with the avatar.
     Follow(bool),
     /// Enter or leave full screen.
@@ -45,6 +51,10 @@ pub enum Action {
     Share,
     /// Show or hide the panel.
     Overlay,
+    /// Show or hide the list of keys.
+    Keys,
+    /// Show or hide the files to open.
+    Open,
     /// Show the next of the predefined backgrounds.
     NextBackground,
     /// Set the background: display-referred RGB, 0 to 1.
@@ -54,7 +64,7 @@ pub enum Action {
 }
 
 /// The keys and what they do, for the panel and `effigy view --help`.
-pub const KEYS: [(&str, &str); 14] = [
+pub const KEYS: [(&str, &str); 18] = [
     ("Space", "play or pause"),
     ("Left Right", "a frame back or on"),
     ("Shift+Left", "a second back, or on with Right"),
@@ -62,10 +72,14 @@ pub const KEYS: [(&str, &str); 14] = [
     ("A", "next avatar"),
     ("L", "repeat: off, clip, all"),
     ("R", "reset the view"),
+    ("1 to 6", "front, left, back, right, top, face"),
+    ("+ -", "zoom in or out"),
+    ("Ctrl+O", "open a file"),
     ("B", "next background"),
     ("S", "screenshot"),
     ("C", "capture a frame with RenderDoc"),
-    ("H F1", "show or hide this panel"),
+    ("H F1", "show or hide the panel"),
+    ("?", "show or hide these keys"),
     ("F F11", "full screen"),
     ("Q", "quit"),
     ("Esc", "leave full screen, then quit"),
@@ -78,7 +92,7 @@ pub const POINTERS: [(&str, &str); 5] = [
     ("zoom", "wheel, trackpad, pinch"),
     (
         "taps",
-        "double: reset the view; long: show or hide this panel",
+        "double: reset the view; long: show or hide the panel",
     ),
     ("drop files", "show an avatar or splats, play motion"),
 ];
@@ -98,11 +112,13 @@ pub struct KeyPress<'a> {
     pub key: &'a Key,
     /// Shift is down.
     pub shift: bool,
+    /// Control is down.
+    pub control: bool,
     /// The system repeats the key because it is held down.
     pub is_repeated: bool,
 }
 
-/// The action of a key press, if it has one. Held keys only step and scrub. `repeat`: the current
+/// The action of a key press, if it has one. Held keys only step, scrub and zoom. `repeat`: the current
 /// setting, which the key L changes to the next.
 pub fn key_action(press: &KeyPress, repeat: Repeat) -> Option<Action> {
     let shift = press.shift;
@@ -120,6 +136,7 @@ pub fn key_action(press: &KeyPress, repeat: Repeat) -> Option<Action> {
             _ => return None,
         },
         Key::Character(character) => match character.to_lowercase().as_str() {
+            "o" if press.control => Action::Open,
             "a" => Action::NextAvatar,
             "n" => Action::Next(1),
             "p" => Action::Next(-1),
@@ -135,11 +152,17 @@ pub fn key_action(press: &KeyPress, repeat: Repeat) -> Option<Action> {
             "h" => Action::Overlay,
             "f" => Action::FullScreen,
             "q" => Action::Quit,
-            _ => return None,
+            "?" => Action::Keys,
+            "+" | "=" => Action::Zoom(ZOOM),
+            "-" => Action::Zoom(-ZOOM),
+            digit => {
+                let number: usize = digit.parse().ok()?;
+                Action::View(*View::ALL.get(number.checked_sub(1)?)?)
+            }
         },
         _ => return None,
     };
-    let repeats = matches!(action, Action::Step(_) | Action::Scrub(_));
+    let repeats = matches!(action, Action::Step(_) | Action::Scrub(_) | Action::Zoom(_));
     (repeats || !press.is_repeated).then_some(action)
 }
 
@@ -153,6 +176,7 @@ mod tests {
         let press = KeyPress {
             key: &key,
             shift: false,
+            control: false,
             is_repeated: false,
         };
         key_action(&press, repeat)
@@ -164,6 +188,7 @@ mod tests {
             let press = KeyPress {
                 key: &Key::Named(key),
                 shift,
+                control: false,
                 is_repeated,
             };
             key_action(&press, Repeat::Off)
@@ -186,5 +211,34 @@ mod tests {
             repeat = expected;
         }
         assert_eq!(press("ß", Repeat::Off), None);
+    }
+
+    #[test]
+    fn numbers_choose_views_and_signs_zoom() {
+        assert_eq!(press("1", Repeat::Off), Some(Action::View(View::Front)));
+        assert_eq!(press("6", Repeat::Off), Some(Action::View(View::Face)));
+        for none in ["0", "7", "10", "1a"] {
+            assert_eq!(press(none, Repeat::Off), None, "{none}");
+        }
+        assert_eq!(press("=", Repeat::Off), press("+", Repeat::Off));
+        assert_eq!(press("-", Repeat::Off), Some(Action::Zoom(-ZOOM)));
+        assert_eq!(press("?", Repeat::Off), Some(Action::Keys));
+        let open = |control| {
+            let press = KeyPress {
+                key: &Key::Character("o".into()),
+                shift: false,
+                control,
+                is_repeated: false,
+            };
+            key_action(&press, Repeat::Off)
+        };
+        assert_eq!([open(true), open(false)], [Some(Action::Open), None]);
+        let held = KeyPress {
+            key: &Key::Character("+".into()),
+            shift: false,
+            control: false,
+            is_repeated: true,
+        };
+        assert_eq!(key_action(&held, Repeat::Off), Some(Action::Zoom(ZOOM)));
     }
 }

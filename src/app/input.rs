@@ -108,6 +108,7 @@ impl Input {
         let press = KeyPress {
             key: &event.logical_key,
             shift: self.modifiers.shift_key(),
+            control: self.modifiers.control_key(),
             is_repeated: event.repeat,
         };
         key_action(&press, repeat)

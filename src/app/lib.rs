@@ -52,6 +52,7 @@ pub mod tap_gesture;
 mod tuning;
 pub mod ui;
 pub mod viewer;
+pub mod views;
 pub mod window;
 
 pub use options::{Loss, Rehearsal, ViewerOptions};

@@ -1,6 +1,6 @@
 //! The viewer's camera: it orbits around the avatar and glides to where gestures send it.
 
-use crate::gesture::Gesture;
+use crate::{gesture::Gesture, views::Sight};
 use effigy_core::scene::{Camera, Framing};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
@@ -72,6 +72,8 @@ pub struct Orbit {
     framing: Framing,
     /// No gesture has changed the view since it was last reset.
     framed: bool,
+    /// Who is in the box stands in it: see [`Camera::standing_distance`].
+    stands: bool,
 }
 
 impl Orbit {
@@ -90,43 +92,74 @@ impl Orbit {
             anchor,
             framing,
             framed: true,
+            stands: false,
         };
         orbit.reset(framing, size);
         orbit.shown = orbit.goal;
         orbit
     }
 
+    /// This view of a person, who stands in the box.
+    pub fn of_person(mut self, size: [u32; 2]) -> Self {
+        self.stands = true;
+        self.resize(size);
+        self
+    }
+
     /// Glides back to a view of all of a box from the front.
     pub fn reset(&mut self, framing: impl Into<Framing>, size: [u32; 2]) {
         let framing = framing.into();
-        self.framing = Framing {
-            bounds: framing.bounds.map(|corner| corner - self.anchor),
-            ..framing
-        };
-        // The short way round.
-        self.shown.yaw = FRONT_YAW + (self.shown.yaw - FRONT_YAW + PI).rem_euclid(TAU) - PI;
-        self.goal = OrbitPose {
-            target: self.framing.middle(),
+        let front = Sight {
+            bounds: framing.bounds,
             yaw: FRONT_YAW,
             pitch: FRONT_PITCH,
-            distance: self.framing_distance(size),
         };
+        self.show(framing, &front, size);
         self.framed = true;
+    }
+
+    /// Glides to a sight of a part of a box, or of all of it.
+    pub fn show(&mut self, framing: Framing, sight: &Sight, size: [u32; 2]) {
+        let from_anchor = |bounds: [DVec3; 2]| bounds.map(|corner| corner - self.anchor);
+        self.framing = Framing {
+            bounds: from_anchor(framing.bounds),
+            ..framing
+        };
+        let part = from_anchor(sight.bounds);
+        let yaw = sight.yaw;
+        // The short way round.
+        self.shown.yaw = yaw + (self.shown.yaw - yaw + PI).rem_euclid(TAU) - PI;
+        self.goal = OrbitPose {
+            target: 0.5 * (part[0] + part[1]),
+            yaw,
+            pitch: sight.pitch.clamp(-PITCH_MAX, PITCH_MAX),
+            distance: if sight.pitch.abs() > 0.25 * PI {
+                distance_above(part, size)
+            } else {
+                self.framing_distance(part, size)
+            },
+        };
+        self.framed = false;
     }
 
     /// The image has a new size, px. A view that no gesture has changed still shows all of the
     /// avatar.
     pub fn resize(&mut self, size: [u32; 2]) {
         if self.framed {
-            self.goal.distance = self.framing_distance(size);
+            self.goal.distance = self.framing_distance(self.framing.bounds, size);
             self.shown.distance = self.goal.distance;
         }
     }
 
-    /// The distance from which all of the box is visible, metres.
-    fn framing_distance(&self, size: [u32; 2]) -> f64 {
-        Camera::framing_distance(self.framing.bounds, FOV, size.map(|side| side.max(1)))
-            .max(2.0 * self.framing.near)
+    /// The distance from which all in a box is visible, metres.
+    fn framing_distance(&self, bounds: [DVec3; 2], size: [u32; 2]) -> f64 {
+        let size = size.map(|side| side.max(1));
+        let distance = if self.stands {
+            Camera::standing_distance(bounds, FOV, size)
+        } else {
+            Camera::framing_distance(bounds, FOV, size)
+        };
+        distance.max(2.0 * self.framing.near)
     }
 
     /// Half the diagonal of the avatar's box, metres.
@@ -167,11 +200,25 @@ impl Orbit {
             furthest,
         );
         let about = gesture.about.map_or(DVec2::ZERO, |at| at - 0.5 * size);
+        // What is beside the avatar is nothing to zoom to: the target stays.
+        let about = Some(on_target_plane(about))
+            .filter(|about| self.is_near(self.goal.target + *about))
+            .unwrap_or_default();
         let target = self.goal.target - on_target_plane(gesture.pan)
-            + on_target_plane(about) * (1.0 - distance / self.goal.distance);
+            + about * (1.0 - distance / self.goal.distance);
         let [min, max] = self.framing.bounds;
         self.goal.target = target.clamp(min - radius, max + radius);
         self.goal.distance = distance;
+    }
+
+    /// Whether a point, metres from the anchor, is in the ellipsoid around the vertical axis that its
+    /// box encloses: about where the avatar is.
+    fn is_near(&self, point: DVec3) -> bool {
+        let [min, max] = self.framing.bounds;
+        let half = 0.5 * (max - min);
+        let around = half.x.max(half.z);
+        let within = DVec3::new(around, half.y, around).max(DVec3::splat(1e-9));
+        ((point - 0.5 * (min + max)) / within).length_squared() <= 1.0
     }
 
     /// Lets `seconds` pass. Returns whether the view has moved. The path does not depend on how
@@ -207,6 +254,14 @@ impl Orbit {
             ..Camera::orbit(self.anchor + target, yaw, pitch, distance, FOV, size)
         }
     }
+}
+
+/// The distance over a box from which all of it is visible, metres.
+fn distance_above([min, max]: [DVec3; 2], size: [u32; 2]) -> f64 {
+    let half = 0.5 * (max - min);
+    let footprint = DVec3::new(half.x, half.x.hypot(half.z), half.z);
+    let size = size.map(|side| side.max(1));
+    Camera::framing_distance([-footprint, footprint], FOV, size) + half.y
 }
 
 #[cfg(test)]
@@ -359,6 +414,49 @@ mod tests {
                 orbit.goal.distance
             );
         }
+    }
+
+    #[test]
+    fn zooming_beside_the_avatar_keeps_it_in_the_middle() {
+        let size = [800, 600];
+        for pointer in [
+            DVec2::new(2.0, 2.0),
+            DVec2::new(790.0, 300.0),
+            DVec2::new(60.0, 580.0),
+        ] {
+            let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
+            let target = orbit.goal.target;
+            for notches in [2.0, -3.0, 1.0] {
+                orbit.apply(
+                    &Gesture {
+                        zoom: 0.12 * notches,
+                        about: Some(pointer),
+                        ..Gesture::default()
+                    },
+                    size,
+                );
+            }
+            assert_eq!(orbit.goal.target, target, "{pointer}");
+        }
+    }
+
+    #[test]
+    fn a_sight_of_a_part_is_near_and_not_undone_by_a_new_size() {
+        let size = [800, 600];
+        let head = [DVec3::new(-0.1, 1.5, -0.1), DVec3::new(0.1, 1.8, 0.1)];
+        let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
+        let whole = orbit.goal.distance;
+        let sight = Sight {
+            bounds: head,
+            yaw: 3.0 * PI,
+            pitch: PI,
+        };
+        orbit.show(BOX, &sight, size);
+        orbit.resize([300, 600]);
+        let orbit = at_rest(orbit);
+        assert!(orbit.shown.distance < 0.3 * whole);
+        assert_eq!(orbit.shown.target, DVec3::new(0.0, 1.65, 0.0));
+        assert_eq!(orbit.shown.pitch, PITCH_MAX);
     }
 
     #[test]

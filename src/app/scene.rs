@@ -11,7 +11,6 @@ use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
     scene::{AvatarBounds, Camera, Posed},
 };
-use glam::DVec3;
 use std::sync::Arc;
 
 /// Default colour behind the avatar: light grey, display-referred RGB.
@@ -78,9 +77,14 @@ impl ViewerScene {
         let avatar_bounds = AvatarBounds::new(&avatar);
         let orbit = Orbit::new(
             avatar_bounds.framing(&posed.joints),
-            anchor(&avatar, &posed),
+            posed.ground(&avatar),
             size,
         );
+        let orbit = if avatar.is_static() {
+            orbit
+        } else {
+            orbit.of_person(size)
+        };
         Self {
             avatar,
             players,
@@ -187,7 +191,7 @@ impl ViewerScene {
             self.position = position;
         }
         if self.follow {
-            self.orbit.follow(anchor(&self.avatar, &self.posed));
+            self.orbit.follow(self.posed.ground(&self.avatar));
         }
         FrameContent {
             position,
@@ -224,16 +228,27 @@ impl ViewerScene {
             Action::Speed(speed) => playback.set_speed(speed, clock),
             Action::Repeat(repeat) => playback.set_repeat(repeat),
             Action::ResetView => {
-                self.orbit
-                    .glide_to_anchor(anchor(&self.avatar, &self.posed));
+                self.orbit.glide_to_anchor(self.posed.ground(&self.avatar));
                 self.orbit
                     .reset(self.avatar_bounds.framing(&self.posed.joints), size);
+            }
+            Action::View(view) => {
+                let framing = self.avatar_bounds.framing(&self.posed.joints);
+                let sight = view.of(&self.avatar, &self.posed, framing.bounds);
+                self.orbit.glide_to_anchor(self.posed.ground(&self.avatar));
+                self.orbit.show(framing, &sight, size);
+            }
+            Action::Zoom(zoom) => {
+                let gesture = Gesture {
+                    zoom,
+                    ..Gesture::default()
+                };
+                self.orbit.apply(&gesture, size);
             }
             Action::Follow(follow) => {
                 self.follow = follow;
                 if follow {
-                    self.orbit
-                        .glide_to_anchor(anchor(&self.avatar, &self.posed));
+                    self.orbit.glide_to_anchor(self.posed.ground(&self.avatar));
                 }
             }
             Action::Background(color) => {
@@ -254,6 +269,8 @@ impl ViewerScene {
             | Action::Screenshot
             | Action::Capture
             | Action::Overlay
+            | Action::Keys
+            | Action::Open
             | Action::Quit => {}
         }
     }
@@ -271,13 +288,4 @@ fn pose(avatar: &Avatar, players: &[Player], position: ClipTime) -> Posed {
         None => Pose::rest(avatar.skeleton.len(), avatar.inputs.expression),
     };
     Posed::new(avatar, &pose)
-}
-
-/// The point that the view follows: the root joint, projected onto the ground. Without its height
-/// a jump is visible.
-fn anchor(avatar: &Avatar, posed: &Posed) -> DVec3 {
-    let (Some(joint), Some(rest)) = (posed.joints.first(), avatar.skeleton.rest.first()) else {
-        return DVec3::ZERO;
-    };
-    joint.transform_point3(DVec3::from(rest.map(f64::from))) * DVec3::new(1.0, 0.0, 1.0)
 }

@@ -355,6 +355,7 @@ impl Viewer {
         }
         match action {
             Action::FullScreen => self.window.toggle_full_screen(),
+            Action::LeaveFullScreenOrQuit if self.close_lists() => {}
             Action::LeaveFullScreenOrQuit if self.window.leave_full_screen() => {}
             Action::LeaveFullScreenOrQuit | Action::Quit => quit(event_loop),
             Action::Avatar(index) => self.request_avatar(index),
@@ -375,8 +376,23 @@ impl Viewer {
                     overlay.toggle();
                 }
             }
+            Action::Keys => {
+                if let Some(overlay) = &mut self.overlay {
+                    overlay.toggle_keys();
+                }
+            }
+            Action::Open if self.options.opener.is_some() => {
+                if let Some(overlay) = &mut self.overlay {
+                    overlay.toggle_browser();
+                }
+            }
             _ => {}
         }
+    }
+
+    /// Hides the lists over the avatar. Returns whether one was shown.
+    fn close_lists(&mut self) -> bool {
+        self.overlay.as_mut().is_some_and(Overlay::close_lists)
     }
 
     /// Nothing was drawn until now: this time is not part of the movement that begins.
@@ -622,6 +638,9 @@ impl Viewer {
             return Ok(());
         };
         actions.append(&mut panel.actions);
+        if let Some(path) = panel.chosen.take() {
+            self.drop_file(path);
+        }
         let Some(painter) = &mut self.painter else {
             return Ok(());
         };

@@ -13,11 +13,13 @@
 mod advice;
 mod analyse;
 mod assets;
+mod backdrop;
 mod backend;
 mod bake;
 mod bench;
 mod bench_device;
 mod bench_sort;
+mod camera_path;
 mod capture;
 mod compare;
 mod convert;

@@ -1,6 +1,7 @@
 //! Files that a command is asked to write. Their endings say what they hold; whether they can be
 //! written is looked at before the work, and none replaces a file that the command reads.
 
+use crate::backdrop::BackdropArg;
 use anyhow::{Context, bail, ensure};
 use clap::{
     ArgMatches,
@@ -309,6 +310,12 @@ pub fn check_arguments(matches: &ArgMatches) -> anyhow::Result<()> {
                     .inputs
                     .extend(found.filter_map(|path| place(path).ok()));
             }
+            if let Ok(Some(found)) = matches.try_get_many::<BackdropArg>(id) {
+                let pictures = found.filter_map(BackdropArg::picture);
+                names()
+                    .inputs
+                    .extend(pictures.filter_map(|path| place(path).ok()));
+            }
             if let Ok(Some(found)) = matches.try_get_many::<Output>(id) {
                 outputs.extend(found);
             }
@@ -341,13 +348,16 @@ pub fn check<'a>(outputs: impl IntoIterator<Item = &'a Output>) -> anyhow::Resul
     outputs.into_iter().try_for_each(|output| names.add(output))
 }
 
-/// Checks a series of numbered files before the work.
-pub fn check_series(out: &Output, mut numbers: impl Iterator<Item = usize>) -> anyhow::Result<()> {
+/// Checks a series of files, numbered as `out` is, before the work.
+pub fn check_series<'a>(
+    out: &Output,
+    series: impl IntoIterator<Item = &'a Output>,
+) -> anyhow::Result<()> {
     ensure!(
         !out.is_stdout(),
         "the standard output takes one image, not a series: name a file with --out"
     );
-    numbers.try_for_each(|number| check([&out.numbered(number)]))
+    check(series)
 }
 
 impl Names {

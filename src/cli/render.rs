@@ -1,7 +1,9 @@
 //! `effigy render`: images of an avatar, drawn by the GPU or by the f64 reference.
 
 use crate::{
+    backdrop::{self, Backdrop, BackdropArg},
     backend::BackendArg,
+    camera_path::{FrameRange, Place, followed, held},
     files,
     options::{self, CameraArgs, QualityArgs},
     output::{self, IMAGE, Output},
@@ -13,13 +15,14 @@ use effigy::vulkan::{Gpu, Renderer, RendererOptions, cache};
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
 use effigy_core::{
-    avatar::{Avatar, Clip, motion::Player},
+    avatar::{Avatar, motion::Player},
     io::cameras,
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Framing, Posed},
 };
 use effigy_measure::{bench::Backend, in_rows};
 use effigy_runtime::slow_start::{self, SlowStart};
+use glam::DVec3;
 use std::{
     f64::consts::TAU,
     ops::Range,
@@ -36,7 +39,8 @@ pub struct Args {
     #[command(flatten)]
     source: Source,
     /// Image to write, a .png, .jpg or .webp (without loss), or - for a .png on the standard
-    /// output; with --frames or --cameras a number goes before the ending [default: effigy.png]
+    /// output; with --frames or --cameras a number goes before the ending, with both the camera's
+    /// and the frame's [default: effigy.png]
     #[arg(short, long, value_name = "FILE", value_parser = IMAGE.parser())]
     out: Option<Output>,
     /// The same without `--out`
@@ -49,19 +53,28 @@ pub struct Args {
     /// Time in the clip, seconds
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = options::seconds, conflicts_with = "frames")]
     time: f64,
-    /// Clip frames to render, from A up to B, which is not included: 0..30
-    #[arg(long, value_name = "A..B", value_parser = frame_range)]
-    frames: Option<Range<usize>>,
-    /// Draw from each camera of this file, a cameras.json as 3DGS or mmlphuman writes it
-    #[arg(long, value_name = "FILE", conflicts_with = "frames")]
+    /// Frames of the clip to render, from A up to B, which is not included: 0..30, 10.., ..30, or
+    /// all. One camera holds all of them
+    #[arg(long, value_name = "A..B", value_parser = FrameRange::parse)]
+    frames: Option<FrameRange>,
+    /// Frames a second that --frames counts, each at its time of the clip [default: the clip's own]
+    #[arg(long, value_name = "N", value_parser = options::rate, requires = "frames")]
+    fps: Option<f64>,
+    /// Let the camera of --frames go along with the avatar over the ground
+    #[arg(long, requires = "frames", conflicts_with = "cameras")]
+    follow: bool,
+    /// Draw from each camera of this file: cameras.json of 3DGS or mmlphuman, transforms.json, or
+    /// COLMAP's cameras.txt and images.txt or their folder
+    #[arg(long, value_name = "FILE")]
     cameras: Option<PathBuf>,
     /// Copies of the avatar, 1 to 1024, each at another time of the clip: up to 16 in a row a metre
     /// apart, more in rows
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
     count: u16,
-    /// Colour behind the avatar, or `none` for a transparent image
-    #[arg(long, value_name = "RRGGBB", default_value = options::BACKGROUND, value_parser = background)]
-    background: Background,
+    /// Colour behind the avatar, a PNG or JPEG that covers the image, or `none` for a transparent
+    /// image
+    #[arg(long, value_name = "RRGGBB|FILE", default_value = options::BACKGROUND, value_parser = backdrop::argument)]
+    background: BackdropArg,
     /// Draw with the f64 reference on the CPU instead of the GPU
     #[arg(long)]
     reference: bool,
@@ -72,32 +85,6 @@ pub struct Args {
     camera: CameraArgs,
     #[command(flatten, next_help_heading = "Quality")]
     quality: QualityArgs,
-}
-
-/// The background of an image.
-#[derive(Clone, Copy, Debug)]
-enum Background {
-    Transparent,
-    /// Display-referred RGB, 0 to 1.
-    Color([f32; 3]),
-}
-
-fn background(text: &str) -> Result<Background, String> {
-    if text == "none" {
-        Ok(Background::Transparent)
-    } else {
-        options::color(text).map(Background::Color)
-    }
-}
-
-/// Reads `A..B`, at least one frame.
-fn frame_range(text: &str) -> Result<Range<usize>, String> {
-    let range = text
-        .split_once("..")
-        .and_then(|(start, end)| Some(start.parse().ok()?..end.parse().ok()?));
-    range.filter(|range| !range.is_empty()).ok_or_else(|| {
-        format!("`{text}` is not a range of frames: write first..last+1, for instance 0..30")
-    })
 }
 
 /// Draws single images: a renderer of either backend with the size of its image, or the reference.
@@ -213,56 +200,92 @@ struct Shoot<'a> {
     avatar: &'a Avatar,
     bounds: AvatarBounds,
     player: &'a Player,
-    renderer: ImageRenderer<'a>,
+}
+
+/// An image to take.
+struct Shot {
+    camera: Camera,
+    /// Time of the clip.
+    seconds: f64,
+    out: Output,
 }
 
 impl Shoot<'_> {
-    /// Draws the avatars at a time of the clip and writes the image. Without a camera of its own,
-    /// the image is taken by the one that the arguments describe.
-    fn draw_image(
-        &mut self,
-        seconds: f64,
-        camera: Option<&Camera>,
-        out: &Output,
-    ) -> anyhow::Result<()> {
-        let poses = row(self.avatar, self.player, seconds, self.args.count.into());
-        let camera = match camera {
-            Some(camera) => cameras::scaled(camera, self.args.size.unwrap_or(camera.size)),
-            None => {
-                let framed = poses.iter().map(|posed| self.bounds.framing(&posed.joints));
-                let all = framed.reduce(Framing::union).context("no copy to draw")?;
-                self.args
-                    .camera
-                    .camera(all, self.args.size.unwrap_or(SIZE))?
-            }
+    /// The avatars at a time of the clip.
+    fn row(&self, seconds: f64) -> Vec<Posed> {
+        row(self.avatar, self.player, seconds, self.args.count.into())
+    }
+
+    /// Where they are at that time.
+    fn place(&self, seconds: f64) -> Place {
+        place(self.avatar, &self.bounds, &self.row(seconds))
+    }
+
+    /// The camera of the arguments that looks at a box.
+    fn camera(&self, bounds: [DVec3; 2]) -> anyhow::Result<Camera> {
+        let size = self.args.size.unwrap_or(SIZE);
+        let framing = framing(self.avatar, bounds);
+        let mut camera = self.args.camera.clone();
+        if camera.distance.is_none() && !self.avatar.is_static() {
+            let fov = camera.fov.to_radians();
+            camera.distance = Some(Camera::standing_distance(framing.bounds, fov, size));
+        }
+        camera.camera(framing, size)
+    }
+
+    /// A camera for each of these times, `rate` a second: one that holds all of them, or follows.
+    fn cameras(&self, times: &[f64], rate: f64) -> anyhow::Result<Vec<Camera>> {
+        let places: Vec<Place> = times.iter().map(|&seconds| self.place(seconds)).collect();
+        if self.args.follow {
+            let boxes = followed(&places, rate);
+            return boxes
+                .into_iter()
+                .map(|bounds| self.camera(bounds))
+                .collect();
+        }
+        Ok(vec![self.camera(held(&places))?; times.len()])
+    }
+
+    /// All images to take: of one time or of frames, `rate` a second, from the camera of the
+    /// arguments or from those of a file.
+    fn shots(
+        &self,
+        frames: Option<Range<usize>>,
+        rate: f64,
+        cameras: Option<&[Camera]>,
+    ) -> anyhow::Result<Vec<Shot>> {
+        let Args { time, size, .. } = self.args;
+        let numbers: Vec<usize> = frames.clone().into_iter().flatten().collect();
+        let times: Vec<f64> = match frames {
+            Some(_) => numbers.iter().map(|&frame| frame as f64 / rate).collect(),
+            None => vec![*time],
         };
-        let poses: Vec<&Posed> = poses.iter().collect();
-        let image = self.renderer.draw(&poses, &camera)?;
-        write_image(&image, self.args.background, out)
-    }
-
-    /// An image of one time from each camera.
-    fn draw_cameras(&mut self, cameras: &[Camera]) -> anyhow::Result<()> {
-        let out = self.out;
-        for (number, camera) in cameras.iter().enumerate() {
-            self.draw_image(self.args.time, Some(camera), &out.numbered(number))?;
-        }
-        print_range(out, 0..cameras.len());
-        Ok(())
-    }
-
-    /// An image of each frame of a range.
-    fn draw_frames(&mut self, frames: Range<usize>) -> anyhow::Result<()> {
-        let out = self.out;
-        let rate = self.player.clip().rate;
-        let bar = progress::items(frames.len() as u64, "frames");
-        for frame in frames.clone() {
-            self.draw_image(frame as f64 / rate, None, &out.numbered(frame))?;
-            bar.inc(1);
-        }
-        bar.finish_and_clear();
-        print_range(out, frames);
-        Ok(())
+        // Without frames there is one time and no number for it.
+        let named = |out: &Output, at: usize| match numbers.get(at) {
+            Some(&frame) => out.numbered(frame),
+            None => out.clone(),
+        };
+        let timed = times.iter().copied().enumerate();
+        let Some(cameras) = cameras else {
+            let own = self.cameras(&times, rate)?;
+            let shot = |((at, seconds), camera)| Shot {
+                camera,
+                seconds,
+                out: named(self.out, at),
+            };
+            return Ok(timed.zip(own).map(shot).collect());
+        };
+        let of_camera = |(number, camera): (usize, &Camera)| {
+            let camera = cameras::scaled(camera, size.unwrap_or(camera.size));
+            let out = self.out.numbered(number);
+            let shot = |(at, seconds)| Shot {
+                camera,
+                seconds,
+                out: named(&out, at),
+            };
+            timed.clone().map(shot).collect::<Vec<_>>()
+        };
+        Ok(cameras.iter().enumerate().flat_map(of_camera).collect())
     }
 }
 
@@ -273,40 +296,52 @@ pub fn run(mut args: Args) -> anyhow::Result<()> {
         .or(args.to.take())
         .map_or_else(default_output, Ok)?;
     ensure!(
-        out.ending() != "jpg" || !matches!(args.background, Background::Transparent),
+        out.ending() != "jpg" || !matches!(args.background, BackdropArg::Transparent),
         "a .jpg has no transparency: write a .png or .webp, or give --background a colour"
     );
     let (mut avatar, player) = args.source.load_player()?;
     args.quality.filter.apply(&mut avatar);
-    // What can't be drawn is refused before a device is opened, which may take seconds.
-    if let Some(frames) = &args.frames {
-        check_range(frames, player.clip())?;
-        output::check_series(out, frames.clone())?;
-    }
+    // What can't be drawn or written is refused before a device is opened, which may take seconds.
+    let rate = args.fps.unwrap_or(player.clip().rate);
+    let frames = match args.frames {
+        Some(frames) => Some(frames.of(player.clip(), rate)?),
+        None => None,
+    };
     let cameras = match &args.cameras {
         Some(path) => Some(source::cameras(path, &avatar)?),
         None => None,
     };
-    if let Some(cameras) = &cameras {
-        output::check_series(out, 0..cameras.len())?;
+    if frames.is_none() {
+        source::check_time(&player, args.time);
     }
-    let mut shoot = Shoot {
+    let is_series = frames.is_some() || cameras.is_some();
+    let mut backdrop = Backdrop::open(&args.background)?;
+    let shoot = Shoot {
         args: &args,
         out,
         avatar: &avatar,
         bounds: AvatarBounds::new(&avatar),
         player: &player,
-        renderer: ImageRenderer::open(&args, &avatar, args.size.unwrap_or(SIZE))?,
     };
-    if let Some(cameras) = &cameras {
-        return shoot.draw_cameras(cameras);
+    let shots = shoot.shots(frames, rate, cameras.as_deref())?;
+    if is_series {
+        output::check_series(out, shots.iter().map(|shot| &shot.out))?;
     }
-    if let Some(frames) = &args.frames {
-        return shoot.draw_frames(frames.clone());
+    let mut renderer = ImageRenderer::open(&args, &avatar, args.size.unwrap_or(SIZE))?;
+    let bar = progress::items(shots.len() as u64, "images");
+    for shot in &shots {
+        let poses = shoot.row(shot.seconds);
+        let poses: Vec<&Posed> = poses.iter().collect();
+        let image = renderer.draw(&poses, &shot.camera)?;
+        picture::write(&backdrop.behind(&image), &shot.out)?;
+        bar.inc(1);
     }
-    source::check_time(&player, args.time);
-    shoot.draw_image(args.time, None, out)?;
-    println!("wrote {}", out.display());
+    bar.finish_and_clear();
+    match shots.as_slice() {
+        [only] => println!("wrote {}", only.out.display()),
+        [first, .., last] => println!("wrote {} to {}", first.out.display(), last.out.display()),
+        [] => {}
+    }
     Ok(())
 }
 
@@ -317,16 +352,35 @@ fn default_output() -> anyhow::Result<Output> {
     Ok(out)
 }
 
-fn check_range(frames: &Range<usize>, clip: &Clip) -> anyhow::Result<()> {
-    ensure!(
-        frames.end <= clip.frames(),
-        "frames {}..{} were asked for; the clip `{}` has {}",
-        frames.start,
-        frames.end,
-        clip.name,
-        clip.frames()
-    );
-    Ok(())
+/// What a camera frames in a box around avatars.
+fn framing(avatar: &Avatar, bounds: [DVec3; 2]) -> Framing {
+    if avatar.is_static() {
+        Framing::scene(bounds)
+    } else {
+        Framing::person(bounds)
+    }
+}
+
+/// Where avatars are.
+fn place(avatar: &Avatar, bounds: &AvatarBounds, poses: &[Posed]) -> Place {
+    // A scene is where it shows, not where its furthest splats are.
+    let around = |posed: &Posed| {
+        if avatar.is_static() {
+            bounds.framing(&posed.joints).bounds
+        } else {
+            bounds.bounds(&posed.joints)
+        }
+    };
+    let places = poses.iter().map(|posed| Place {
+        bounds: around(posed),
+        ground: posed.ground(avatar),
+    });
+    let places: Vec<Place> = places.collect();
+    let ground: DVec3 = places.iter().map(|place| place.ground).sum();
+    Place {
+        bounds: held(&places),
+        ground: ground / places.len() as f64,
+    }
 }
 
 /// `count` copies of an avatar in a row or several, their times spread over the clip from `seconds`
@@ -350,6 +404,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     const IMAGES: usize = 24;
     /// The part of the clip that is shown, seconds at most.
     const SECONDS: f64 = 6.0;
+    const FOV: f64 = 35.0 / 360.0 * TAU;
     let size = [720, 960];
     let (avatar, player) = source.load_player()?;
     let gpu = Gpu::new(&effigy::vulkan::GpuOptions::headless(None))?;
@@ -357,20 +412,34 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     let mut slow_start = slow_start(&gpu);
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
     files::create_folder(folder)?;
-    let background = background(options::BACKGROUND).map_err(anyhow::Error::msg)?;
-    let avatar_bounds = AvatarBounds::new(&avatar);
+    let mut backdrop =
+        Backdrop::Color(options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?);
+    let bounds = AvatarBounds::new(&avatar);
+    let posed = |number: usize| {
+        let share = number as f64 / IMAGES as f64;
+        let seconds = share * player.clip().duration().min(SECONDS);
+        Posed::new(&avatar, &player.pose(seconds))
+    };
+    let places = (0..IMAGES).map(|number| place(&avatar, &bounds, &[posed(number)]));
+    let places: Vec<Place> = places.collect();
+    let framing = framing(&avatar, held(&places));
+    let distance = if avatar.is_static() {
+        Camera::framing_distance(framing.bounds, FOV, size)
+    } else {
+        Camera::standing_distance(framing.bounds, FOV, size)
+    };
     let bar = progress::items(IMAGES as u64, "images");
     for number in 0..IMAGES {
-        let turn = number as f64 / IMAGES as f64;
-        let seconds = turn * player.clip().duration().min(SECONDS);
-        let posed = Posed::new(&avatar, &player.pose(seconds));
-        let framing = avatar_bounds.framing(&posed.joints);
-        let camera = Camera::around(framing, turn * TAU, 0.09, 35f64.to_radians(), size);
-        renderer.draw(&posed, &camera, None)?;
+        let turn = number as f64 / IMAGES as f64 * TAU;
+        let camera = Camera {
+            near: framing.near,
+            ..Camera::orbit(framing.middle(), turn, 0.09, distance, FOV, size)
+        };
+        renderer.draw(&posed(number), &camera, None)?;
         let out = Output::new(folder.join(format!("{number:02}.png")), "png");
         let image = renderer.read_image()?;
         slow_start.take();
-        write_image(&image, background, &out)?;
+        picture::write(&backdrop.behind(&image), &out)?;
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -382,32 +451,4 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
 fn slow_start(gpu: &Gpu) -> Option<SlowStart> {
     let sentence = slow_start::compiling(&gpu.probe.name);
     cache::is_first_start().then(|| SlowStart::new(move || eprintln!("{sentence}")))
-}
-
-fn write_image(image: &FrameImage, background: Background, out: &Output) -> anyhow::Result<()> {
-    let pixels = match background {
-        Background::Transparent => image.transparent(),
-        Background::Color(color) => image.over(color),
-    };
-    picture::write(&pixels, out)
-}
-
-/// Prints the first and the last file of numbered images.
-fn print_range(out: &Output, numbers: Range<usize>) {
-    println!(
-        "wrote {} to {}",
-        out.numbered(numbers.start).display(),
-        out.numbered(numbers.end - 1).display()
-    );
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn frame_ranges_are_not_empty() {
-        assert_eq!(frame_range("3..5"), Ok(3..5));
-        assert!(frame_range("5..5").is_err() && frame_range("x").is_err());
-    }
 }

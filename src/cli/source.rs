@@ -5,10 +5,11 @@ use crate::{files::print_assumptions, kept, options::named};
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
-    io::{cameras, ply::UP_COMMENT, splats::Up, text},
+    io::{ply::UP_COMMENT, splats::Up, text},
     scene::{AvatarBounds, Camera},
 };
 use effigy_formats::{
+    cameras,
     content::Content,
     open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
     retarget::{Correction, Report, RetargetOptions},
@@ -354,18 +355,16 @@ pub fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Reads a `cameras.json` as 3DGS writes it beside a .ply, or mmlphuman beside its checkpoint, in the
-/// avatar's world. No such file says where near planes are: they are as near as the avatar's size
-/// asks for.
+/// Reads the cameras of another program's file in the avatar's world, and says what it left open. No
+/// such file says where near planes are: they are as near as the avatar's size asks for.
 pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
     let rest = Pose::rest(avatar.skeleton.len(), 0);
     let joints = avatar.skeleton.matrices(&rest);
-    let mut cameras = cameras::read(path, joints.first().copied().unwrap_or_default())?;
+    let opened = cameras::read(path, joints.first().copied().unwrap_or_default())?;
+    print_assumptions(path, &opened.assumptions);
     let near = AvatarBounds::new(avatar).framing(&joints).near;
-    for camera in &mut cameras {
-        camera.near = near;
-    }
-    Ok(cameras)
+    let placed = opened.cameras.into_iter();
+    Ok(placed.map(|camera| Camera { near, ..camera }).collect())
 }
 
 /// The first three names of a list.

@@ -7,6 +7,7 @@
 
 pub use effigy_core::io::assumption;
 pub mod bvh;
+pub mod cameras;
 pub mod capture;
 pub mod content;
 mod fault;

@@ -7,13 +7,14 @@ use effigy_app::{
     gesture::Gesture,
     playback::{ClipTime, Playback, Repeat, SPEED, Track},
     scene::ViewerScene,
+    views::View,
 };
 use effigy_core::{
-    avatar::{Avatar, motion::Player},
+    avatar::{Avatar, Clip, motion::Player},
     scene::Posed,
 };
 use glam::{DVec2, DVec3};
-use std::sync::Arc;
+use std::{f64::consts::FRAC_PI_2, sync::Arc};
 
 fn playing(durations: &[f64], repeat: Repeat) -> Playback {
     let track = |(i, &duration)| Track {
@@ -291,6 +292,72 @@ fn a_newer_state_may_have_joints_elsewhere_and_in_another_order() {
     );
 }
 
+/// The demo, turned a quarter to its left, as it stands.
+fn turned_demo() -> ViewerScene {
+    let avatar = effigy_demo::avatar().unwrap();
+    let mut clip = Clip::still(&avatar.skeleton);
+    clip.rotation[0] = [0.0, FRAC_PI_2 as f32, 0.0];
+    ViewerScene::new(avatar, vec![clip], [0.5; 3], SIZE, 0.0)
+}
+
+fn views_go_by_how_the_avatar_stands() {
+    let mut scene = turned_demo();
+    let mut clock = 0.0;
+    let mut seen = |view: View| {
+        scene.act(Action::View(view), clock, SIZE);
+        (0..100).for_each(|_| {
+            clock += 0.05;
+            scene.advance(clock, SIZE);
+        });
+        assert!(!scene.is_moving(), "{view:?}");
+        let camera = scene.advance(clock, SIZE).camera;
+        let names = &scene.avatar().skeleton.name;
+        let head = names.iter().position(|name| name == "Head").unwrap();
+        let rest = scene.avatar().skeleton.rest[head].map(f64::from);
+        let head = scene.posed().joints[head].transform_point3(rest.into());
+        (camera, camera.view.transform_point3(head))
+    };
+    // Its front is the world's +x now, its left −z.
+    for (view, axis) in [
+        (View::Front, DVec3::X),
+        (View::Left, DVec3::NEG_Z),
+        (View::Back, DVec3::NEG_X),
+        (View::Right, DVec3::Z),
+        (View::Top, DVec3::Y),
+    ] {
+        let (camera, _) = seen(view);
+        let forward = camera.view.matrix3.transpose().z_axis;
+        assert!(forward.dot(axis) < -0.95, "{view:?}: {forward}");
+    }
+    let (front, far) = seen(View::Front);
+    let (face, near) = seen(View::Face);
+    assert!(near.z < 0.3 * far.z, "{near} is no nearer than {far}");
+    // The joint is at the head's lower end.
+    let below = face.project(near) - face.center;
+    assert!(
+        below.x.abs() < 60.0 && (0.0..200.0).contains(&below.y),
+        "{below} px"
+    );
+    assert!(front.project(far).distance(front.center) > 100.0);
+}
+
+fn keys_zoom_to_the_middle() {
+    let mut scene = scene();
+    scene.act(Action::PlayOrPause, 0.0, SIZE);
+    let before = scene.advance(0.0, SIZE).camera;
+    scene.act(Action::Zoom(0.5), 0.0, SIZE);
+    (1..100).for_each(|frame| {
+        scene.advance(0.05 * f64::from(frame), SIZE);
+    });
+    let after = scene.advance(6.0, SIZE).camera;
+    let forward = before.view.matrix3.transpose().z_axis;
+    let way = after.eye() - before.eye();
+    assert!(
+        way.length() > 0.5 && way.normalize().distance(forward) < 1e-6,
+        "{way}"
+    );
+}
+
 fn backgrounds_go_round_and_stay_within_their_range() {
     let mut scene = scene();
     let mut seen = Vec::new();
@@ -319,5 +386,7 @@ tests! {
     the_view_follows_the_avatar_until_following_is_off,
     a_newer_state_of_the_avatar_keeps_view_clip_time_and_options,
     a_newer_state_may_have_joints_elsewhere_and_in_another_order,
+    views_go_by_how_the_avatar_stands,
+    keys_zoom_to_the_middle,
     backgrounds_go_round_and_stay_within_their_range,
 }

@@ -513,7 +513,7 @@ fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
     assert!(said.contains("0.003 to 0.003, median 0.003"), "{said}");
     let message = fails(folder.path(), "render --cameras still.ply");
     assert!(
-        message.contains("cameras as 3DGS or mmlphuman writes them"),
+        message.contains("expected cameras.json as 3DGS or mmlphuman writes it"),
         "{message}"
     );
 }

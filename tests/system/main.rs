@@ -8,6 +8,7 @@ mod motion;
 mod opened;
 mod outputs;
 mod pack;
+mod shots;
 mod soak;
 mod splats;
 mod trace;
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
             opened,
             outputs,
             pack,
+            shots,
             soak,
             splats,
             trace,

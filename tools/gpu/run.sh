@@ -50,7 +50,7 @@ find_driver
 } > "$work/machine.txt" 2>/dev/null
 
 body=()
-[ ! -s "$here/data/body.avatar" ] || body=("$here/data/body.avatar" --motion "$here/data/walk.motion")
+[ ! -s "$here/data/body.avatar" ] || body=("$here/data/body.avatar" --motion "$here/data/01_01.motion")
 if [ -n "${EFFIGY_GPU_SHORT:-}" ]; then
   # The built-in demo, in so few pixels that a CPU driver and the reference keep up.
   body=() total=${EFFIGY_GPU_SECONDS:-1200} slower=3

@@ -1,14 +1,18 @@
 //! The overlay: an egui panel over the avatar. It decides which events the panel consumes, and lays
 //! the panel out.
 
+pub mod browser;
 pub mod icons;
 pub mod panel;
 
 use crate::{action::Action, painter::PanelMesh};
+use browser::Browser;
 use egui::{Order, Pos2, Rect, TexturesDelta, ViewportId, vec2};
 use panel::PanelFacts;
 use std::{
     collections::HashSet,
+    env,
+    path::PathBuf,
     time::{Duration, Instant},
 };
 use winit::{
@@ -38,6 +42,8 @@ pub struct OverlayFrame {
     pub repaint_after: Option<Duration>,
     /// The user's actions in the panel.
     pub actions: Vec<Action>,
+    /// The file that the user has chosen to open.
+    pub chosen: Option<PathBuf>,
 }
 
 /// The panel, and the pointers on it.
@@ -45,6 +51,12 @@ pub struct Overlay {
     ctx: egui::Context,
     state: egui_winit::State,
     visible: bool,
+    /// The list of keys is shown.
+    keys: bool,
+    /// The files to open, while they are shown.
+    browser: Option<Browser>,
+    /// Where files were opened last.
+    folder: PathBuf,
     /// The mouse is over the panel.
     over: bool,
     /// A button went down on the panel, and is still down.
@@ -69,6 +81,9 @@ impl Overlay {
             ctx,
             state,
             visible,
+            keys: false,
+            browser: None,
+            folder: env::current_dir().unwrap_or_default(),
             over: false,
             grabbed: false,
             fingers: HashSet::new(),
@@ -90,6 +105,35 @@ impl Overlay {
     pub fn toggle(&mut self) {
         self.visible = !self.visible;
         self.release();
+    }
+
+    /// Shows or hides the list of keys.
+    pub fn toggle_keys(&mut self) {
+        self.keys = !self.keys;
+        self.release();
+    }
+
+    /// Shows or hides the files to open.
+    pub fn toggle_browser(&mut self) {
+        self.browser = match self.browser.take() {
+            Some(_) => None,
+            None => Some(Browser::new(self.folder.clone())),
+        };
+        self.release();
+    }
+
+    /// Hides the keys and the files to open. Returns whether one of them was shown.
+    pub fn close_lists(&mut self) -> bool {
+        let shown = std::mem::take(&mut self.keys) | self.browser.take().is_some();
+        if shown {
+            self.release();
+        }
+        shown
+    }
+
+    /// Whether anything is drawn over the avatar.
+    fn is_shown(&self) -> bool {
+        self.visible || self.keys || self.browser.is_some()
     }
 
     /// Stops following buttons and fingers that are down: their events will not come any more.
@@ -117,7 +161,7 @@ impl Overlay {
                 | WindowEvent::ModifiersChanged(_)
                 | WindowEvent::ScaleFactorChanged { .. }
         );
-        if !self.visible {
+        if !self.is_shown() {
             if always {
                 let _ = self.state.on_window_event(window, event);
             }
@@ -170,9 +214,9 @@ impl Overlay {
         EventResponse { consumed, repaint }
     }
 
-    /// Lays the panel out in a frame of `size` px. Nothing, if it is hidden.
+    /// Lays out what is shown over a frame of `size` px.
     pub fn lay_out(&mut self, window: &Window, size: [u32; 2], facts: &PanelFacts) -> OverlayFrame {
-        if !self.visible {
+        if !self.is_shown() {
             return OverlayFrame::default();
         }
         let scale = egui_winit::pixels_per_point(&self.ctx, window);
@@ -184,11 +228,26 @@ impl Overlay {
         ));
         let input = input.take();
         let mut actions = Vec::new();
+        let mut chosen = None;
         let mut output = self.ctx.run_ui(input, |ui| {
             // egui may lay out more than once. The last time counts.
             actions.clear();
-            panel::show(ui.ctx(), facts, &mut actions);
+            if self.visible {
+                panel::show(ui.ctx(), facts, &mut actions);
+            }
+            if self.keys {
+                panel::show_keys(ui.ctx());
+            }
+            if let Some(browser) = &mut self.browser {
+                chosen = browser.show(ui.ctx()).or(chosen.take());
+            }
         });
+        if chosen.is_some()
+            && let Some(browser) = self.browser.take()
+        {
+            self.folder = browser.folder().to_owned();
+            self.release();
+        }
         self.state
             .handle_platform_output(window, std::mem::take(&mut output.platform_output));
         let repaint_after = output
@@ -208,6 +267,7 @@ impl Overlay {
             textures: std::mem::take(&mut output.textures_delta),
             repaint_after,
             actions,
+            chosen,
         }
     }
 }

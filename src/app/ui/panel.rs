@@ -9,7 +9,7 @@ use crate::{
     ui::icons::{self, Icon},
 };
 use effigy_core::frame::report::{STAGES, stage_ms};
-use egui::{Align, Color32, Grid, Layout, Pos2, RichText, Sense, Slider, Stroke, Ui, vec2};
+use egui::{Align, Align2, Color32, Grid, Layout, Pos2, RichText, Sense, Slider, Stroke, Ui, vec2};
 
 /// Width of the panel, points.
 const WIDTH: f32 = 264.0;
@@ -95,6 +95,8 @@ pub fn show(ctx: &egui::Context, facts: &PanelFacts, actions: &mut Vec<Action>) 
         .show(ctx, |ui| {
             egui::ScrollArea::vertical()
                 .max_height(height)
+                // Else it keeps the height of the smallest window that it was shown in.
+                .min_scrolled_height(height)
                 .show(ui, |ui| {
                     ui.set_width(WIDTH);
                     if facts.has_crash_report {
@@ -118,12 +120,26 @@ pub fn show(ctx: &egui::Context, facts: &PanelFacts, actions: &mut Vec<Action>) 
                     egui::CollapsingHeader::new("Device")
                         .default_open(true)
                         .show(ui, |ui| device(ui, facts));
-                    egui::CollapsingHeader::new("Keys").show(ui, keys);
                     if let Some(message) = facts.message {
                         ui.separator();
                         ui.label(message);
                     }
                 });
+        });
+}
+
+/// Lays out the list of keys and gestures.
+pub fn show_keys(ctx: &egui::Context) {
+    egui::Window::new("Keys")
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .collapsible(false)
+        .resizable(false)
+        .show(ctx, |ui| {
+            let height = (ctx.content_rect().height() - 72.0).max(40.0);
+            egui::ScrollArea::vertical()
+                .max_height(height)
+                .min_scrolled_height(height)
+                .show(ui, keys);
         });
 }
 
@@ -279,6 +295,13 @@ fn view_controls(ui: &mut Ui, facts: &PanelFacts, actions: &mut Vec<Action>) {
             ));
         }
         ui.label("background");
+        button(
+            ui,
+            "Keys",
+            "all keys and gestures (?)",
+            Action::Keys,
+            actions,
+        );
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let mut follow = facts.follow;
             if ui
@@ -296,7 +319,7 @@ fn timing(ui: &mut Ui, facts: &PanelFacts) {
     ui.horizontal(|ui| {
         match facts.times.mean_ms().filter(|_| facts.moving) {
             Some(ms) => {
-                ui.label(RichText::new(format!("{:.0} fps", 1e3 / ms)).strong());
+                ui.label(RichText::new(rate_text(ms)).strong());
                 ui.monospace(format!("{ms:.2} ms"));
             }
             None => {
@@ -345,13 +368,14 @@ fn stages(ui: &mut Ui, facts: &PanelFacts) {
         .spacing(vec2(8.0, 2.0))
         .show(ui, |ui| {
             for name in STAGES {
-                ui.label(name);
                 let ms = stage_ms(facts.stages, name);
                 let text = match ms {
                     Some(ms) => format!("{ms:7.2} ms"),
                     None if facts.skipped.contains(&name) => "skipped".into(),
-                    None => "unknown".into(),
+                    // A stage that this avatar does not have.
+                    None => continue,
                 };
+                ui.label(name);
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     ui.monospace(text)
                 });
@@ -401,6 +425,17 @@ fn keys(ui: &mut Ui) {
         });
 }
 
+/// Frames a second, of a frame's milliseconds.
+fn rate_text(ms: f64) -> String {
+    let rate = 1e3 / ms;
+    let decimals = match rate {
+        10.0.. => 0,
+        0.1.. => 1,
+        _ => 2,
+    };
+    format!("{rate:.decimals$} fps")
+}
+
 /// How a small avatar is drawn.
 fn detail_text(samples: u64, level: u64) -> String {
     let drawn = format!("small: up to {samples} × {samples} samples a pixel");
@@ -438,6 +473,48 @@ mod tests {
     }
 
     #[test]
+    fn slow_frames_have_a_rate_too() {
+        for (ms, expected) in [
+            (1.0, "1000 fps"),
+            (16.7, "60 fps"),
+            (812.0, "1.2 fps"),
+            (2500.0, "0.4 fps"),
+            (60_000.0, "0.02 fps"),
+        ] {
+            assert_eq!(rate_text(ms), expected);
+        }
+    }
+
+    /// A window that was small for a while.
+    #[test]
+    fn the_panel_grows_back() {
+        let ctx = egui::Context::default();
+        style(&ctx);
+        let playback = Playback::new(vec![]);
+        let (times, files) = (FrameTimes::default(), FileList::default());
+        let facts = PanelFacts {
+            stages: &[("mlp", 0.5)],
+            ..facts(&playback, &files, &times)
+        };
+        let mut height = |window: f32| {
+            let mut height = 0.0;
+            for _ in 0..4 {
+                let input = egui::RawInput {
+                    screen_rect: Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, window))),
+                    ..Default::default()
+                };
+                let output = ctx.run_ui(input, |ui| show(ui.ctx(), &facts, &mut vec![]));
+                output.drop_without_applying_deltas();
+                height = ctx.globally_used_rect().height();
+            }
+            height
+        };
+        let [tall, short, again] = [900.0, 200.0, 900.0].map(&mut height);
+        assert!(short <= 200.0 && tall > 300.0, "{short} {tall}");
+        assert!(again >= tall, "{again} {tall}");
+    }
+
+    #[test]
     fn numbers_are_grouped_by_three_digits() {
         for (number, expected) in [
             (0, "0"),
@@ -446,6 +523,35 @@ mod tests {
             (2_000_000, "2 000 000"),
         ] {
             assert_eq!(grouped(number), expected);
+        }
+    }
+
+    fn facts<'a>(
+        playback: &'a Playback,
+        file_list: &'a FileList,
+        times: &'a FrameTimes,
+    ) -> PanelFacts<'a> {
+        PanelFacts {
+            avatar: "someone",
+            times,
+            moving: true,
+            stages: &[("mlp", 0.5), ("sort", 1.0)],
+            drawn_gaussians: 1234,
+            samples: 4,
+            level: 2,
+            gaussians: 200_000,
+            skipped: &["mlp"],
+            device: "a device",
+            driver: "a driver",
+            drawing: "quads",
+            memory: 12_000_000,
+            playback,
+            file_list,
+            background: [0.5; 3],
+            follow: true,
+            message: Some("saved"),
+            has_crash_report: true,
+            has_renderdoc: true,
         }
     }
 
@@ -461,30 +567,10 @@ mod tests {
         };
         let mut playback = Playback::new(vec![track("walk"), track("run")]);
         playback.play(true, 0.0);
-        let facts = PanelFacts {
-            avatar: "someone",
-            times: &FrameTimes::default(),
-            moving: true,
-            stages: &[("mlp", 0.5), ("sort", 1.0)],
-            drawn_gaussians: 1234,
-            samples: 4,
-            level: 2,
-            gaussians: 200_000,
-            skipped: &["mlp"],
-            device: "a device",
-            driver: "a driver",
-            drawing: "quads",
-            memory: 12_000_000,
-            playback: &playback,
-            file_list: &FileList::new(vec!["someone".into(), "else".into()], 0, |_| {
-                anyhow::bail!("never asked for")
-            }),
-            background: [0.5; 3],
-            follow: true,
-            message: Some("saved"),
-            has_crash_report: true,
-            has_renderdoc: true,
-        };
+        let names = vec!["someone".into(), "else".into()];
+        let files = FileList::new(names, 0, |_| anyhow::bail!("never asked for"));
+        let times = FrameTimes::default();
+        let facts = facts(&playback, &files, &times);
         let mut actions = Vec::new();
         let mut pass = |events: Vec<egui::Event>| {
             let screen_rect = Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 900.0)));
@@ -531,6 +617,7 @@ mod tests {
         assert!(asked_for(|w| matches!(w, Action::Screenshot)), "screenshot");
         assert!(asked_for(|w| matches!(w, Action::Share)), "share");
         assert!(asked_for(|w| matches!(w, Action::Capture)), "capture");
+        assert!(asked_for(|w| matches!(w, Action::Keys)), "keys");
         assert!(asked_for(|w| matches!(w, Action::Follow(false))), "follow");
     }
 }

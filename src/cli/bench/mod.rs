@@ -62,7 +62,7 @@ pub struct Args {
     /// Views around the avatar, 1 or more
     #[arg(long, value_name = "N", default_value_t = 4)]
     views: usize,
-    /// Draw from each camera of this file, a cameras.json as 3DGS or mmlphuman writes it
+    /// Draw from each camera of this file, as `render` reads it
     ///
     /// The cases close, far, four, crowd and zoom keep their own cameras.
     #[arg(long, value_name = "FILE", conflicts_with = "views")]

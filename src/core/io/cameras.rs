@@ -10,33 +10,127 @@
 //! its poses, and the camera matrix in px. It has no sizes of images: each is as large as its
 //! optical axis meets its centre, to a pixel.
 
-use super::{
-    file::{FileError, FormatError},
-    text,
-};
+use super::{file::FormatError, text};
 use crate::scene::Camera;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
-use serde::{Deserialize, Serialize, de::IgnoredAny};
-use std::path::Path;
+use serde::{
+    Deserialize, Serialize,
+    de::{DeserializeOwned, IgnoredAny},
+};
 
 /// Maximum number of cameras in a file.
 const CAMERAS_MAX: usize = 100_000;
 /// Maximum side of an image, px.
-const SIDE_MAX: u32 = 1 << 16;
+const SIDE_MAX: f64 = 65536.0;
 /// Tolerance for the dot products of the rotation's rows.
 const ORTHONORMAL: f64 = 1e-3;
 /// Largest skew of pixels, of a focal length.
 const SKEW_MAX: f64 = 1e-3;
 
+/// A pinhole camera as a file places it in its own axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedCamera {
+    /// Width and height of its image, px.
+    pub size: [f64; 2],
+    /// Focal length along x and y, px.
+    pub focal: [f64; 2],
+    /// Where the optical axis meets the image, px from the top left corner.
+    pub center: [f64; 2],
+    /// Camera to the file's axes; the camera's own are x right, y down, z forward.
+    pub rotation: DMat3,
+    /// Its centre in the file's axes.
+    pub position: DVec3,
+}
+
+impl PlacedCamera {
+    /// The first rule that it breaks: what was found, and what was expected.
+    fn broken_rule(&self) -> Option<(String, String)> {
+        let Self {
+            size: [width, height],
+            focal: [x, y],
+            rotation,
+            ..
+        } = *self;
+        let is_side = |side: f64| side.fract() == 0.0 && (1.0..=SIDE_MAX).contains(&side);
+        if !(is_side(width) && is_side(height)) {
+            return Some((
+                format!("an image of {width} × {height} px"),
+                format!("sides from 1 to {SIDE_MAX} px"),
+            ));
+        }
+        if !(x > 0.0 && y > 0.0 && x.is_finite() && y.is_finite()) {
+            return Some((
+                format!("focal lengths of {x} and {y} px"),
+                "finite ones above 0".into(),
+            ));
+        }
+        let numbers = self.position.to_array().into_iter().chain(self.center);
+        if !numbers.clone().all(f64::is_finite) {
+            return Some((
+                format!(
+                    "a position and an image's centre of {:?}",
+                    numbers.collect::<Vec<_>>()
+                ),
+                "finite numbers".into(),
+            ));
+        }
+        let off = (rotation * rotation.transpose() - DMat3::IDENTITY)
+            .to_cols_array()
+            .map(f64::abs)
+            .into_iter()
+            .fold(0.0, f64::max);
+        if !(rotation.is_finite() && off <= ORTHONORMAL && rotation.determinant() > 0.0) {
+            let rows = rotation.transpose().to_cols_array_2d();
+            return Some((format!("the matrix {rows:?}"), "a rotation".into()));
+        }
+        None
+    }
+
+    fn camera(&self, world: DAffine3) -> Camera {
+        let pose = DAffine3::from_mat3_translation(self.rotation, self.position);
+        Camera {
+            view: (world * pose).inverse(),
+            focal: DVec2::from(self.focal),
+            center: DVec2::from(self.center),
+            size: self.size.map(|side| side as u32),
+            near: Camera::NEAR,
+        }
+    }
+}
+
+/// The cameras of a file. `world`: see [`parse`].
+///
+/// # Errors
+/// When there are none or too many, or one is no pinhole with finite numbers.
+pub fn cameras_of(placed: &[PlacedCamera], world: DAffine3) -> Result<Vec<Camera>, FormatError> {
+    if placed.is_empty() || placed.len() > CAMERAS_MAX {
+        return Err(FormatError::container(
+            format!("{} cameras", placed.len()),
+            format!("1 to {CAMERAS_MAX}"),
+        ));
+    }
+    for (index, camera) in placed.iter().enumerate() {
+        if let Some((found, expected)) = camera.broken_rule() {
+            return Err(FormatError::container(
+                format!("{found} at camera {index}"),
+                expected,
+            ));
+        }
+    }
+    Ok(placed.iter().map(|camera| camera.camera(world)).collect())
+}
+
 /// An entry of the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct CameraEntry {
-    #[serde(default)]
+    /// Only written: other programs' are numbers or names.
+    #[serde(skip_deserializing)]
     id: u64,
-    #[serde(default)]
+    #[serde(skip_deserializing)]
     img_name: String,
-    width: u32,
-    height: u32,
+    /// Whole, though some programs write `192.0`.
+    width: f64,
+    height: f64,
     position: [f64; 3],
     rotation: [[f64; 3]; 3],
     fx: f64,
@@ -44,55 +138,13 @@ struct CameraEntry {
 }
 
 impl CameraEntry {
-    fn rotation(&self) -> DMat3 {
-        DMat3::from_cols_array_2d(&self.rotation).transpose()
-    }
-
-    /// The first rule that the entry breaks: what was found, and what was expected.
-    fn broken_rule(&self) -> Option<(String, String)> {
-        let sides = [self.width, self.height];
-        if !sides.iter().all(|side| (1..=SIDE_MAX).contains(side)) {
-            return Some((
-                format!("an image of {} × {} px", sides[0], sides[1]),
-                format!("sides from 1 to {SIDE_MAX} px"),
-            ));
-        }
-        if !(self.fx > 0.0 && self.fy > 0.0 && self.fx.is_finite() && self.fy.is_finite()) {
-            return Some((
-                format!("focal lengths of {} and {} px", self.fx, self.fy),
-                "finite ones above 0".into(),
-            ));
-        }
-        if !DVec3::from(self.position).is_finite() {
-            return Some((
-                format!("the position {:?}", self.position),
-                "finite numbers".into(),
-            ));
-        }
-        let rotation = self.rotation();
-        let off = (rotation * rotation.transpose() - DMat3::IDENTITY)
-            .to_cols_array()
-            .map(f64::abs)
-            .into_iter()
-            .fold(0.0, f64::max);
-        if !(rotation.is_finite() && off <= ORTHONORMAL && rotation.determinant() > 0.0) {
-            return Some((
-                format!("the matrix {:?}", self.rotation),
-                "a rotation".into(),
-            ));
-        }
-        None
-    }
-
-    fn camera(&self, world: DAffine3) -> Camera {
-        let position = DVec3::from(self.position);
-        let pose = DAffine3::from_mat3_translation(self.rotation(), position);
-        Camera {
-            view: (world * pose).inverse(),
-            focal: DVec2::new(self.fx, self.fy),
-            center: 0.5 * DVec2::new(f64::from(self.width), f64::from(self.height)),
+    fn placed(&self) -> PlacedCamera {
+        PlacedCamera {
             size: [self.width, self.height],
-            near: Camera::NEAR,
+            focal: [self.fx, self.fy],
+            center: [0.5 * self.width, 0.5 * self.height],
+            rotation: DMat3::from_cols_array_2d(&self.rotation).transpose(),
+            position: DVec3::from(self.position),
         }
     }
 }
@@ -108,11 +160,9 @@ struct RigEntry {
 }
 
 impl RigEntry {
-    /// The entry as 3DGS would write it.
-    ///
     /// # Errors
     /// What was found, and what was expected.
-    fn plain(&self) -> Result<CameraEntry, (String, String)> {
+    fn placed(&self) -> Result<PlacedCamera, (String, String)> {
         let last = self.w2c[3];
         if last != [0.0, 0.0, 0.0, 1.0] {
             return Err((
@@ -128,22 +178,17 @@ impl RigEntry {
                 "focal lengths and a centre alone".into(),
             ));
         }
-        // Past the largest side and below 1 the cast is clamped, and the rule for sides is broken.
-        let [width, height] = [cx, cy].map(|c| (2.0 * c).round() as u32);
+        let size = [cx, cy].map(|c| (2.0 * c).round());
         let rows = [self.w2c[0], self.w2c[1], self.w2c[2]];
         let rotation = rows.map(|[x, y, z, _]| [x, y, z]);
         let to_camera = DMat3::from_cols_array_2d(&rotation).transpose();
         let moved = DVec3::from(rows.map(|row| row[3]));
-        Ok(CameraEntry {
-            id: 0,
-            img_name: String::new(),
-            width,
-            height,
-            position: (-(to_camera.transpose() * moved)).to_array(),
-            // The columns of one are the rows of its inverse.
-            rotation: to_camera.to_cols_array_2d(),
-            fx,
-            fy,
+        Ok(PlacedCamera {
+            size,
+            focal: [fx, fy],
+            center: size.map(|side| 0.5 * side),
+            rotation: to_camera.transpose(),
+            position: -(to_camera.transpose() * moved),
         })
     }
 }
@@ -154,65 +199,49 @@ struct AnyEntry {
     w2c: Option<IgnoredAny>,
 }
 
-/// Reads cameras. `world` leads from the `.ply`'s axes to the world:
-/// [`crate::avatar::Skeleton::matrices`] of the root at rest.
-///
-/// # Errors
-/// When the file cannot be read, is not a list of cameras, or has an invalid camera.
-pub fn read(path: &Path, world: DAffine3) -> Result<Vec<Camera>, FileError> {
-    let bytes = std::fs::read(path).map_err(|cause| FileError::Read {
-        file: path.into(),
-        cause,
-    })?;
-    parse(&bytes, world).map_err(|fault| FileError::Content {
-        file: path.into(),
-        fault,
-    })
-}
-
-/// Reads cameras from a file's bytes. `world`: see [`read`].
-///
-/// # Errors
-/// When the bytes are not a list of cameras, or a camera is invalid.
-pub fn parse(bytes: &[u8], world: DAffine3) -> Result<Vec<Camera>, FormatError> {
-    let failed = |error: serde_json::Error| {
+/// The list of a file, which may stand in an object's `cameras`.
+fn list<T: DeserializeOwned>(bytes: &[u8]) -> Result<Vec<T>, FormatError> {
+    #[derive(Deserialize)]
+    struct Around<T> {
+        cameras: Vec<T>,
+    }
+    let bytes = &*text::utf8(bytes);
+    let read = if bytes.trim_ascii_start().starts_with(b"{") {
+        serde_json::from_slice(bytes).map(|around: Around<T>| around.cameras)
+    } else {
+        serde_json::from_slice(bytes)
+    };
+    read.map_err(|error| {
         FormatError::container(
             super::file::excerpt(&error.to_string()),
             "cameras as 3DGS or mmlphuman writes them",
         )
-    };
-    let bytes = &*text::utf8(bytes);
-    let kinds: Vec<AnyEntry> = serde_json::from_slice(bytes).map_err(failed)?;
-    let is_rig = kinds.first().is_some_and(|entry| entry.w2c.is_some());
-    let entries: Vec<CameraEntry> = if is_rig {
-        let rig: Vec<RigEntry> = serde_json::from_slice(bytes).map_err(failed)?;
-        let plain = |(index, entry): (usize, &RigEntry)| {
-            entry.plain().map_err(|(found, expected)| {
+    })
+}
+
+/// Reads cameras from a file's bytes. `world` leads from the file's axes, which are those of the
+/// `.ply` beside it, to the world: [`crate::avatar::Skeleton::matrices`] of the root at rest.
+///
+/// # Errors
+/// When the bytes are not a list of cameras, or a camera is invalid.
+pub fn parse(bytes: &[u8], world: DAffine3) -> Result<Vec<Camera>, FormatError> {
+    let kinds: Vec<AnyEntry> = list(bytes)?;
+    let placed = if kinds.first().is_some_and(|entry| entry.w2c.is_some()) {
+        let placed = |(index, entry): (usize, &RigEntry)| {
+            entry.placed().map_err(|(found, expected)| {
                 FormatError::container(format!("{found} at camera {index}"), expected)
             })
         };
+        let rig: Vec<RigEntry> = list(bytes)?;
         rig.iter()
             .enumerate()
-            .map(plain)
+            .map(placed)
             .collect::<Result<_, _>>()?
     } else {
-        serde_json::from_slice(bytes).map_err(failed)?
+        let entries: Vec<CameraEntry> = list(bytes)?;
+        entries.iter().map(CameraEntry::placed).collect::<Vec<_>>()
     };
-    if entries.is_empty() || entries.len() > CAMERAS_MAX {
-        return Err(FormatError::container(
-            format!("{} cameras", entries.len()),
-            format!("1 to {CAMERAS_MAX}"),
-        ));
-    }
-    for (index, entry) in entries.iter().enumerate() {
-        if let Some((found, expected)) = entry.broken_rule() {
-            return Err(FormatError::container(
-                format!("{found} at camera {index}"),
-                expected,
-            ));
-        }
-    }
-    Ok(entries.iter().map(|entry| entry.camera(world)).collect())
+    cameras_of(&placed, world)
 }
 
 /// Writes a file that [`parse`] reads back with the identity as `world`.
@@ -222,8 +251,8 @@ pub fn to_json(cameras: &[Camera]) -> String {
         CameraEntry {
             id: id as u64,
             img_name: format!("{id:05}"),
-            width: camera.size[0],
-            height: camera.size[1],
+            width: camera.size[0].into(),
+            height: camera.size[1].into(),
             position: placed.translation.to_array(),
             rotation: placed.matrix3.transpose().to_cols_array_2d(),
             fx: camera.focal.x,
@@ -234,14 +263,14 @@ pub fn to_json(cameras: &[Camera]) -> String {
     serde_json::to_string_pretty(&entries).expect("strings and numbers always have a JSON form")
 }
 
-/// Adapts a camera to an image of another size: the vertical field of view stays, and so does the
-/// shape of pixels.
+/// Adapts a camera to an image of another size: the vertical field of view stays, and so do the shape
+/// of pixels and how far the optical axis is from the image's centre.
 pub fn scaled(camera: &Camera, size: [u32; 2]) -> Camera {
-    let [width, height] = size.map(f64::from);
-    let focal = camera.focal * height / f64::from(camera.size[1]);
+    let middle = |size: [u32; 2]| 0.5 * DVec2::new(size[0].into(), size[1].into());
+    let ratio = f64::from(size[1]) / f64::from(camera.size[1]);
     Camera {
-        focal,
-        center: 0.5 * DVec2::new(width, height),
+        focal: camera.focal * ratio,
+        center: middle(size) + (camera.center - middle(camera.size)) * ratio,
         size,
         ..*camera
     }

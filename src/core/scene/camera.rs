@@ -88,6 +88,22 @@ impl Camera {
         }
     }
 
+    /// [`Self::framing_distance`] of a box in which people stand: head and feet are near a person's
+    /// own axis, and nobody is as tall at the box's corners. So one person fills the image.
+    pub fn standing_distance(bounds: [DVec3; 2], fov: f64, size: [u32; 2]) -> f64 {
+        /// Radius of the cylinder around who stands, metres.
+        const PERSON: f64 = 0.57;
+        let half = (bounds[1] - bounds[0]) / 2.0;
+        let around = half.x.hypot(half.z);
+        let person = around.min(PERSON);
+        let slope = (0.5 * fov).tan();
+        let aspect = f64::from(size[0]) / f64::from(size[1]);
+        // The ellipsoids around the nearest person and around all.
+        let tall = (1.05 * half.y / slope).hypot(person) + around - person;
+        let wide = (1.05 * around / (slope * aspect)).hypot(around);
+        tall.max(wide)
+    }
+
     /// Stretches the view to an image of another size.
     pub fn stretched(&self, size: [u32; 2]) -> Self {
         let ratio = DVec2::new(
@@ -152,6 +168,28 @@ mod tests {
             "{left_and_up}"
         );
         assert!(camera.eye().distance(DVec3::new(0.0, 1.0, 3.0)) < 1e-12);
+    }
+
+    /// The ellipsoid in a box of a person's size fills the image, and no point of it is outside.
+    #[test]
+    fn who_stands_fills_the_image() {
+        let bounds = [DVec3::new(-0.4, 0.0, -0.4), DVec3::new(0.4, 1.84, 0.4)];
+        let middle = (bounds[0] + bounds[1]) / 2.0;
+        let around = 0.4 * 2f64.sqrt();
+        for size in [[1024, 1024], [1280, 800], [300, 1000]] {
+            let distance = Camera::standing_distance(bounds, 0.61, size);
+            let camera = Camera::orbit(middle, 0.0, 0.0, distance, 0.61, size);
+            let mut reach = DVec2::ZERO;
+            for (up, turn) in (0..64).flat_map(|up| (0..64).map(move |turn| (up, turn))) {
+                let (up, turn) = (f64::from(up) * 0.05 - 1.6, f64::from(turn) * 0.1);
+                let out = around * up.cos();
+                let point = DVec3::new(out * turn.sin(), 0.92 * up.sin(), out * turn.cos());
+                let at = camera.project(camera.view.transform_point3(middle + point));
+                reach = reach.max((at - camera.center).abs() / camera.center);
+            }
+            let furthest = reach.max_element();
+            assert!((0.94..0.96).contains(&furthest), "{size:?}: {reach}");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Poses evaluated for one avatar.
 
 use crate::avatar::{Avatar, Pose};
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 
 /// A pose evaluated for one avatar: everything that the stages need to know about it.
 #[derive(Clone, Debug)]
@@ -48,6 +48,15 @@ impl Posed {
             *joint = transform * *joint;
         }
         self
+    }
+
+    /// The point that goes along with an avatar: its root joint, projected onto the ground. Without
+    /// its height, a jump is visible to whoever follows.
+    pub fn ground(&self, avatar: &Avatar) -> DVec3 {
+        let (Some(joint), Some(rest)) = (self.joints.first(), avatar.skeleton.rest.first()) else {
+            return DVec3::ZERO;
+        };
+        joint.transform_point3(DVec3::from(rest.map(f64::from))) * DVec3::new(1.0, 0.0, 1.0)
     }
 }
 

@@ -113,7 +113,7 @@ fn cameras_of_mmlphuman_see_what_those_of_3dgs_see() {
         ),
         (
             fault("[400, 0, 320]", "[400, 0, -320]"),
-            "found an image of 0 × 480 px at camera 0",
+            "found an image of -640 × 480 px at camera 0",
         ),
         (
             fault("[400, 0, 320]", "[0, 0, 320]"),
@@ -128,6 +128,37 @@ fn cameras_of_mmlphuman_see_what_those_of_3dgs_see() {
     for (found, expected) in cases {
         assert!(found.starts_with(expected), "{found}");
     }
+}
+
+fn other_programs_spellings_are_read() {
+    let read = |text: &str| cameras::parse(text.as_bytes(), DAffine3::IDENTITY).unwrap();
+    let plain = read(CAMERAS);
+    for text in [
+        CAMERAS.replace("640", "640.0"),
+        CAMERAS.replace("\"id\": 0", "\"id\": \"cam_0\""),
+        CAMERAS.replace(
+            "\"id\": 0, \"img_name\": \"a\"",
+            "\"id\": null, \"img_name\": 7",
+        ),
+        format!("{{\"cameras\": {CAMERAS}}}"),
+    ] {
+        assert_eq!(read(&text), plain, "{text}");
+    }
+}
+
+fn an_optical_axis_beside_the_middle_stays_there_in_other_sizes() {
+    let mut camera = cameras::parse(CAMERAS.as_bytes(), DAffine3::IDENTITY).unwrap()[0];
+    camera.center = DVec2::new(330.0, 220.0);
+    assert_eq!(cameras::scaled(&camera, camera.size), camera);
+    let point = camera
+        .view
+        .inverse()
+        .transform_point3(DVec3::new(0.1, -0.2, 1.0));
+    let at = |camera: &Camera| camera.project(camera.view.transform_point3(point));
+    let middle = |camera: &Camera| 0.5 * DVec2::new(camera.size[0].into(), camera.size[1].into());
+    let half = cameras::scaled(&camera, [500, 240]);
+    let expected = middle(&half) + 0.5 * (at(&camera) - middle(&camera));
+    assert!(at(&half).distance(expected) < 1e-9);
 }
 
 fn cameras_come_back_as_they_are_written() {
@@ -215,6 +246,8 @@ tests! {
     cameras_see_what_3dgs_sees,
     near_planes_follow_the_scene,
     cameras_of_mmlphuman_see_what_those_of_3dgs_see,
+    other_programs_spellings_are_read,
+    an_optical_axis_beside_the_middle_stays_there_in_other_sizes,
     cameras_come_back_as_they_are_written,
     cameras_that_cannot_see_are_named,
     changed_cameras_never_panic,

@@ -133,6 +133,25 @@ fn a_drag_turns_the_avatar_the_wheel_zooms_and_a_key_resets() {
     session.quit();
 }
 
+fn keys_zoom_and_choose_views() {
+    let mut session = still(&["--size", "320x240"]);
+    let mut seen = |key: char| {
+        session.key(key);
+        session.wait_for_rest();
+        session.read_image()
+    };
+    let [front, near, back, face] = ['1', '=', '3', '6'].map(&mut seen);
+    let pixels = |image| covered(image, BACKGROUND);
+    assert!(pixels(&near) > pixels(&front), "= does not zoom in");
+    assert!(back != front, "3 shows the front");
+    assert!(
+        pixels(&face) > 2 * pixels(&front),
+        "6 does not show the face"
+    );
+    assert!(pixels(&seen('-')) < pixels(&face), "- does not zoom out");
+    session.quit();
+}
+
 fn a_screenshot_is_the_window_without_the_panel() {
     let mut session = still(&["--size", "320x240"]);
     let window = session.read_image();
@@ -423,6 +442,7 @@ tests! {
     the_image_follows_every_resize,
     a_window_that_was_hidden_shows_the_avatar_again,
     a_drag_turns_the_avatar_the_wheel_zooms_and_a_key_resets,
+    keys_zoom_and_choose_views,
     a_screenshot_is_the_window_without_the_panel,
     a_lost_surface_and_a_lost_device_are_made_anew,
     a_device_that_is_lost_twice_ends_the_program_with_a_clear_error,
