@@ -1,11 +1,11 @@
-struct type_9 {
+struct type_10 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_13 {
+struct type_14 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
@@ -62,7 +62,7 @@ struct type_13 {
     member_53: array<vec4<f32>, 3>,
     member_54: array<vec4<u32>, 8>,
     member_55: array<vec4<u32>, 8>,
-    member_56: array<type_9, 8>,
+    member_56: array<type_10, 8>,
     member_57: array<vec4<f32>, 128>,
     member_58: array<vec4<f32>, 768>,
 }
@@ -72,34 +72,40 @@ struct type_17 {
 }
 
 struct type_19 {
-    member: array<vec2<u32>, LENGTH_2_8>,
+    member: array<vec2<u32>, LENGTH_4_8>,
 }
 
 struct type_21 {
-    member: array<vec2<u32>, LENGTH_3_8>,
+    member: array<vec2<u32>, LENGTH_2_8>,
 }
 
 struct type_23 {
+    member: array<vec2<u32>, LENGTH_3_8>,
+}
+
+struct type_25 {
     member: array<vec2<u32>, LENGTH_1_8>,
 }
 
 @group(0) @binding(0) 
-var<uniform> global: type_13;
-@group(0) @binding(2) 
+var<uniform> global: type_14;
+@group(0) @binding(4) 
 var<storage> global_1: type_19;
-@group(0) @binding(3) 
+@group(0) @binding(2) 
 var<storage> global_2: type_21;
+@group(0) @binding(3) 
+var<storage> global_3: type_23;
 @group(0) @binding(1) 
-var<storage, read_write> global_3: type_23;
+var<storage, read_write> global_4: type_25;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<f32>;
-    var phi_1198_: vec4<f32>;
-    var phi_1197_: vec4<f32>;
-    var phi_1196_: vec4<f32>;
-    var phi_1195_: u32;
+    var phi_1603_: vec4<f32>;
+    var phi_1602_: vec4<f32>;
+    var phi_1601_: vec4<f32>;
+    var phi_1600_: u32;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
@@ -109,109 +115,128 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local_8: vec4<f32>;
     var local_9: vec4<f32>;
     var local_10: vec4<f32>;
-    var phi_1199_: vec3<f32>;
+    var phi_1604_: vec3<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e35 = bitcast<u32>(param[0u]);
-            let _e37 = global.member_44;
-            if (_e35 >= _e37) {
+            let _e45 = bitcast<u32>(param[0u]);
+            let _e47 = global.member_44;
+            if (_e45 >= _e47) {
                 break;
             }
-            let _e40 = global.member_43;
-            let _e42 = (_e35 << bitcast<u32>(_e40));
-            let _e43 = (2u * _e42);
-            let _e47 = global_3.member[_e43];
-            let _e50 = global_3.member[(_e43 + 1u)];
-            local = (vec4<u32>(_e50.x, (_e50.x >> bitcast<u32>(8u)), (_e50.x >> bitcast<u32>(16u)), (_e50.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-            let _e66 = (vec3<u32>(_e50.y, (_e50.y >> bitcast<u32>(8u)), (_e50.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-            let _e67 = vec3<f32>(_e66);
-            local_1 = (vec4<f32>(_e67.x, _e67.y, _e67.z, f32((((255u - _e66.x) - _e66.y) - _e66.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-            phi_1198_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1197_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1196_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1195_ = 0u;
+            let _e50 = global.member_43;
+            let _e52 = (_e45 << bitcast<u32>(_e50));
+            let _e53 = (2u * _e52);
+            let _e56 = global.member_14;
+            let _e57 = (2u * _e56);
+            let _e61 = global_4.member[_e53];
+            let _e64 = global_4.member[(_e53 + 1u)];
+            let _e67 = global_4.member[(_e57 + _e52)];
+            local = (vec4<u32>(_e64.x, (_e64.x >> bitcast<u32>(8u)), (_e64.x >> bitcast<u32>(16u)), (_e64.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+            let _e83 = (vec3<u32>(_e64.y, (_e64.y >> bitcast<u32>(8u)), (_e64.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+            let _e84 = vec3<f32>(_e83);
+            local_1 = (vec4<f32>(_e84.x, _e84.y, _e84.z, f32((((255u - _e83.x) - _e83.y) - _e83.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+            phi_1603_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1602_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1601_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1600_ = 0u;
             loop {
-                let _e81 = phi_1198_;
-                let _e83 = phi_1197_;
-                let _e85 = phi_1196_;
-                let _e87 = phi_1195_;
-                local_2 = _e85;
-                local_3 = _e85;
-                local_4 = _e85;
-                local_5 = _e83;
-                local_6 = _e83;
-                local_7 = _e83;
-                local_8 = _e81;
-                local_9 = _e81;
-                local_10 = _e81;
-                if (_e87 < 4u) {
+                let _e98 = phi_1603_;
+                let _e100 = phi_1602_;
+                let _e102 = phi_1601_;
+                let _e104 = phi_1600_;
+                local_2 = _e102;
+                local_3 = _e102;
+                local_4 = _e102;
+                local_5 = _e100;
+                local_6 = _e100;
+                local_7 = _e100;
+                local_8 = _e98;
+                local_9 = _e98;
+                local_10 = _e98;
+                if (_e104 < 4u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e90 = local[_e87];
-                    let _e91 = (3u * _e90);
-                    let _e93 = local_1[_e87];
-                    let _e96 = global.member_58[_e91];
-                    let _e99 = local_1[_e87];
-                    let _e103 = global.member_58[(_e91 + 1u)];
-                    let _e106 = local_1[_e87];
-                    let _e110 = global.member_58[(_e91 + 2u)];
-                    phi_1198_ = (_e81 + (_e110 * _e106));
-                    phi_1197_ = (_e83 + (_e103 * _e99));
-                    phi_1196_ = (_e85 + (_e96 * _e93));
-                    phi_1195_ = (_e87 + bitcast<u32>(1i));
+                    let _e107 = local[_e104];
+                    let _e108 = (3u * _e107);
+                    let _e110 = local_1[_e104];
+                    let _e113 = global.member_58[_e108];
+                    let _e116 = local_1[_e104];
+                    let _e120 = global.member_58[(_e108 + 1u)];
+                    let _e123 = local_1[_e104];
+                    let _e127 = global.member_58[(_e108 + 2u)];
+                    phi_1603_ = (_e98 + (_e127 * _e123));
+                    phi_1602_ = (_e100 + (_e120 * _e116));
+                    phi_1601_ = (_e102 + (_e113 * _e110));
+                    phi_1600_ = (_e104 + bitcast<u32>(1i));
                 }
             }
-            let _e126 = global.member_11;
-            let _e129 = global.member_12;
-            let _e132 = (_e126.xyz + (_e129.xyz * vec3<f32>(f32((_e47.x & 65535u)), f32((_e47.x >> bitcast<u32>(16u))), f32((_e47.y & 65535u)))));
-            let _e136 = vec4<f32>(_e132.x, _e132.y, _e132.z, 1f);
-            let _e138 = local_2;
-            let _e141 = local_3;
-            let _e145 = local_5;
-            let _e148 = local_6;
-            let _e153 = local_8;
-            let _e156 = local_9;
-            let _e159 = (((_e141.xyz * dot(_e138, _e136)) + (_e148.xyz * dot(_e145, _e136))) + (_e156.xyz * dot(_e153, _e136)));
-            let _e160 = length(_e159);
-            if (_e160 > 0f) {
-                phi_1199_ = (_e159 / vec3(_e160));
+            let _e133 = global.member_15;
+            let _e137 = bitcast<u32>(firstLeadingBit((max(_e133, 4096u) - 1u)));
+            let _e138 = (_e137 + 1u);
+            let _e139 = (15u - _e137);
+            let _e153 = (vec2<u32>((32u << bitcast<u32>((2u * _e139))), (32u << bitcast<u32>(_e139))) - vec2<u32>(1u, 1u));
+            let _e169 = (vec2<f32>(vec2<u32>(((((_e67.x >> bitcast<u32>(16u)) >> bitcast<u32>(((2u * _e138) - 16u))) << bitcast<u32>(5u)) | ((_e67.y >> bitcast<u32>(_e138)) & 31u)), ((_e67.y >> bitcast<u32>((_e137 + 6u))) & _e153.y))) / vec2<f32>(_e153));
+            let _e173 = ((1f + (2f * _e169.x)) * 0.33333334f);
+            let _e174 = (1f - _e173);
+            let _e178 = (_e174 * (0.5f + (0.5f * _e169.y)));
+            let _e187 = (vec3<u32>(_e67.x, (_e67.x >> bitcast<u32>(_e138)), _e67.y) & vec3(((1u << bitcast<u32>(_e138)) - 1u)));
+            let _e199 = global.member_11;
+            let _e202 = global.member_12;
+            let _e208 = global.member_21;
+            let _e209 = (2u * _e208);
+            let _e213 = global_1.member[(_e209 + _e187.x)];
+            let _e215 = unpack2x16float(_e213.x);
+            let _e228 = global_1.member[(_e209 + _e187.y)];
+            let _e230 = unpack2x16float(_e228.x);
+            let _e243 = global_1.member[(_e209 + _e187.z)];
+            let _e245 = unpack2x16float(_e243.x);
+            let _e253 = ((((_e199.xyz + (_e202.xyz * vec3<f32>(f32((_e61.x & 65535u)), f32((_e61.x >> bitcast<u32>(16u))), f32((_e61.y & 65535u))))) + (vec3<f32>(_e215.x, _e215.y, unpack2x16float(_e213.y).x) * _e173)) + (vec3<f32>(_e230.x, _e230.y, unpack2x16float(_e228.y).x) * _e178)) + (vec3<f32>(_e245.x, _e245.y, unpack2x16float(_e243.y).x) * (_e174 - _e178)));
+            let _e257 = vec4<f32>(_e253.x, _e253.y, _e253.z, 1f);
+            let _e259 = local_2;
+            let _e262 = local_3;
+            let _e266 = local_5;
+            let _e269 = local_6;
+            let _e274 = local_8;
+            let _e277 = local_9;
+            let _e280 = (((_e262.xyz * dot(_e259, _e257)) + (_e269.xyz * dot(_e266, _e257))) + (_e277.xyz * dot(_e274, _e257)));
+            let _e281 = length(_e280);
+            if (_e281 > 0f) {
+                phi_1604_ = (_e280 / vec3(_e281));
             } else {
-                phi_1199_ = vec3<f32>(0f, 0f, 0f);
+                phi_1604_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e165 = phi_1199_;
-            let _e169 = (_e165.x * _e165.x);
-            let _e170 = (_e165.y * _e165.y);
-            let _e175 = (vec3<f32>(-(_e165.y), _e165.z, -(_e165.x)) * 0.48860252f);
-            let _e181 = global_1.member[_e42];
-            let _e183 = unpack2x16float(_e181.x);
-            let _e185 = unpack2x16float(_e181.y);
-            let _e192 = global.member_14;
-            let _e196 = global_1.member[(_e42 + _e192)];
-            let _e198 = unpack2x16float(_e196.x);
-            let _e200 = unpack2x16float(_e196.y);
-            let _e205 = (2u * _e192);
-            let _e209 = global_1.member[(_e42 + _e205)];
-            let _e211 = unpack2x16float(_e209.x);
-            let _e213 = unpack2x16float(_e209.y);
-            let _e241 = ((3u * _e192) + _e42);
-            let _e244 = global_1.member[_e241];
-            let _e246 = unpack2x16float(_e244.x);
-            let _e248 = unpack2x16float(_e244.y);
-            let _e257 = global_1.member[(_e241 + _e192)];
-            let _e259 = unpack2x16float(_e257.x);
-            let _e261 = unpack2x16float(_e257.y);
-            let _e269 = global_1.member[(_e241 + _e205)];
-            let _e271 = unpack2x16float(_e269.x);
-            let _e273 = unpack2x16float(_e269.y);
-            let _e295 = global_2.member[_e42];
-            let _e297 = unpack2x16float(_e295.x);
-            let _e307 = clamp(((((((vec4<f32>(_e183.x, _e183.y, _e185.x, _e185.y).xyz * 1f) + (vec3<f32>(_e185.y, _e198.x, _e198.y) * _e175.x)) + (vec3<f32>(_e200.x, _e200.y, _e211.x) * _e175.y)) + (vec4<f32>(_e211.x, _e211.y, _e213.x, _e213.y).yzw * _e175.z)) + ((((vec4<f32>(_e246.x, _e246.y, _e248.x, _e248.y).xyz * ((1.0925485f * _e165.x) * _e165.y)) + (vec3<f32>(_e248.y, _e259.x, _e259.y) * ((-1.0925485f * _e165.y) * _e165.z))) + (vec3<f32>(_e261.x, _e261.y, _e271.x) * (0.31539157f * (((2f * (_e165.z * _e165.z)) - _e169) - _e170)))) + (vec4<f32>(_e271.x, _e271.y, _e273.x, _e273.y).yzw * ((-1.0925485f * _e165.x) * _e165.z)))) + (vec4<f32>(_e297.x, _e297.y, unpack2x16float(_e295.y).x, f32()).xyz * (0.54627424f * (_e169 - _e170)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e309 = global.member_34;
-            global_3.member[(_e309 + _e42)] = vec2<u32>(pack2x16float(_e307.xy), pack2x16float(vec2<f32>(_e307.z, 0f)));
+            let _e286 = phi_1604_;
+            let _e290 = (_e286.x * _e286.x);
+            let _e291 = (_e286.y * _e286.y);
+            let _e296 = (vec3<f32>(-(_e286.y), _e286.z, -(_e286.x)) * 0.48860252f);
+            let _e302 = global_2.member[_e52];
+            let _e304 = unpack2x16float(_e302.x);
+            let _e306 = unpack2x16float(_e302.y);
+            let _e315 = global_2.member[(_e52 + _e56)];
+            let _e317 = unpack2x16float(_e315.x);
+            let _e319 = unpack2x16float(_e315.y);
+            let _e327 = global_2.member[(_e52 + _e57)];
+            let _e329 = unpack2x16float(_e327.x);
+            let _e331 = unpack2x16float(_e327.y);
+            let _e359 = ((3u * _e56) + _e52);
+            let _e362 = global_2.member[_e359];
+            let _e364 = unpack2x16float(_e362.x);
+            let _e366 = unpack2x16float(_e362.y);
+            let _e375 = global_2.member[(_e359 + _e56)];
+            let _e377 = unpack2x16float(_e375.x);
+            let _e379 = unpack2x16float(_e375.y);
+            let _e387 = global_2.member[(_e359 + _e57)];
+            let _e389 = unpack2x16float(_e387.x);
+            let _e391 = unpack2x16float(_e387.y);
+            let _e413 = global_3.member[_e52];
+            let _e415 = unpack2x16float(_e413.x);
+            let _e425 = clamp(((((((vec4<f32>(_e304.x, _e304.y, _e306.x, _e306.y).xyz * 1f) + (vec3<f32>(_e306.y, _e317.x, _e317.y) * _e296.x)) + (vec3<f32>(_e319.x, _e319.y, _e329.x) * _e296.y)) + (vec4<f32>(_e329.x, _e329.y, _e331.x, _e331.y).yzw * _e296.z)) + ((((vec4<f32>(_e364.x, _e364.y, _e366.x, _e366.y).xyz * ((1.0925485f * _e286.x) * _e286.y)) + (vec3<f32>(_e366.y, _e377.x, _e377.y) * ((-1.0925485f * _e286.y) * _e286.z))) + (vec3<f32>(_e379.x, _e379.y, _e389.x) * (0.31539157f * (((2f * (_e286.z * _e286.z)) - _e290) - _e291)))) + (vec4<f32>(_e389.x, _e389.y, _e391.x, _e391.y).yzw * ((-1.0925485f * _e286.x) * _e286.z)))) + (vec4<f32>(_e415.x, _e415.y, unpack2x16float(_e413.y).x, f32()).xyz * (0.54627424f * (_e290 - _e291)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
+            let _e427 = global.member_34;
+            global_4.member[(_e427 + _e52)] = vec2<u32>(pack2x16float(_e425.xy), pack2x16float(vec2<f32>(_e425.z, 0f)));
             break;
         }
     }

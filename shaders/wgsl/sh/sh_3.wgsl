@@ -1,11 +1,11 @@
-struct type_9 {
+struct type_10 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_13 {
+struct type_14 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
@@ -62,7 +62,7 @@ struct type_13 {
     member_53: array<vec4<f32>, 3>,
     member_54: array<vec4<u32>, 8>,
     member_55: array<vec4<u32>, 8>,
-    member_56: array<type_9, 8>,
+    member_56: array<type_10, 8>,
     member_57: array<vec4<f32>, 128>,
     member_58: array<vec4<f32>, 768>,
 }
@@ -72,34 +72,40 @@ struct type_17 {
 }
 
 struct type_19 {
-    member: array<vec2<u32>, LENGTH_2_8>,
+    member: array<vec2<u32>, LENGTH_4_8>,
 }
 
 struct type_21 {
-    member: array<vec2<u32>, LENGTH_3_8>,
+    member: array<vec2<u32>, LENGTH_2_8>,
 }
 
 struct type_23 {
+    member: array<vec2<u32>, LENGTH_3_8>,
+}
+
+struct type_25 {
     member: array<vec2<u32>, LENGTH_1_8>,
 }
 
 @group(0) @binding(0) 
-var<uniform> global: type_13;
-@group(0) @binding(2) 
+var<uniform> global: type_14;
+@group(0) @binding(4) 
 var<storage> global_1: type_19;
-@group(0) @binding(3) 
+@group(0) @binding(2) 
 var<storage> global_2: type_21;
+@group(0) @binding(3) 
+var<storage> global_3: type_23;
 @group(0) @binding(1) 
-var<storage, read_write> global_3: type_23;
+var<storage, read_write> global_4: type_25;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<f32>;
-    var phi_1328_: vec4<f32>;
-    var phi_1327_: vec4<f32>;
-    var phi_1326_: vec4<f32>;
-    var phi_1325_: u32;
+    var phi_1733_: vec4<f32>;
+    var phi_1732_: vec4<f32>;
+    var phi_1731_: vec4<f32>;
+    var phi_1730_: u32;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
@@ -109,133 +115,152 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local_8: vec4<f32>;
     var local_9: vec4<f32>;
     var local_10: vec4<f32>;
-    var phi_1329_: vec3<f32>;
+    var phi_1734_: vec3<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e41 = bitcast<u32>(param[0u]);
-            let _e43 = global.member_44;
-            if (_e41 >= _e43) {
+            let _e51 = bitcast<u32>(param[0u]);
+            let _e53 = global.member_44;
+            if (_e51 >= _e53) {
                 break;
             }
-            let _e46 = global.member_43;
-            let _e48 = (_e41 << bitcast<u32>(_e46));
-            let _e49 = (2u * _e48);
-            let _e53 = global_3.member[_e49];
-            let _e56 = global_3.member[(_e49 + 1u)];
-            local = (vec4<u32>(_e56.x, (_e56.x >> bitcast<u32>(8u)), (_e56.x >> bitcast<u32>(16u)), (_e56.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-            let _e72 = (vec3<u32>(_e56.y, (_e56.y >> bitcast<u32>(8u)), (_e56.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-            let _e73 = vec3<f32>(_e72);
-            local_1 = (vec4<f32>(_e73.x, _e73.y, _e73.z, f32((((255u - _e72.x) - _e72.y) - _e72.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-            phi_1328_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1327_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1326_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1325_ = 0u;
+            let _e56 = global.member_43;
+            let _e58 = (_e51 << bitcast<u32>(_e56));
+            let _e59 = (2u * _e58);
+            let _e62 = global.member_14;
+            let _e63 = (2u * _e62);
+            let _e67 = global_4.member[_e59];
+            let _e70 = global_4.member[(_e59 + 1u)];
+            let _e73 = global_4.member[(_e63 + _e58)];
+            local = (vec4<u32>(_e70.x, (_e70.x >> bitcast<u32>(8u)), (_e70.x >> bitcast<u32>(16u)), (_e70.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+            let _e89 = (vec3<u32>(_e70.y, (_e70.y >> bitcast<u32>(8u)), (_e70.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+            let _e90 = vec3<f32>(_e89);
+            local_1 = (vec4<f32>(_e90.x, _e90.y, _e90.z, f32((((255u - _e89.x) - _e89.y) - _e89.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+            phi_1733_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1732_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1731_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1730_ = 0u;
             loop {
-                let _e87 = phi_1328_;
-                let _e89 = phi_1327_;
-                let _e91 = phi_1326_;
-                let _e93 = phi_1325_;
-                local_2 = _e91;
-                local_3 = _e91;
-                local_4 = _e91;
-                local_5 = _e89;
-                local_6 = _e89;
-                local_7 = _e89;
-                local_8 = _e87;
-                local_9 = _e87;
-                local_10 = _e87;
-                if (_e93 < 4u) {
+                let _e104 = phi_1733_;
+                let _e106 = phi_1732_;
+                let _e108 = phi_1731_;
+                let _e110 = phi_1730_;
+                local_2 = _e108;
+                local_3 = _e108;
+                local_4 = _e108;
+                local_5 = _e106;
+                local_6 = _e106;
+                local_7 = _e106;
+                local_8 = _e104;
+                local_9 = _e104;
+                local_10 = _e104;
+                if (_e110 < 4u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e96 = local[_e93];
-                    let _e97 = (3u * _e96);
-                    let _e99 = local_1[_e93];
-                    let _e102 = global.member_58[_e97];
-                    let _e105 = local_1[_e93];
-                    let _e109 = global.member_58[(_e97 + 1u)];
-                    let _e112 = local_1[_e93];
-                    let _e116 = global.member_58[(_e97 + 2u)];
-                    phi_1328_ = (_e87 + (_e116 * _e112));
-                    phi_1327_ = (_e89 + (_e109 * _e105));
-                    phi_1326_ = (_e91 + (_e102 * _e99));
-                    phi_1325_ = (_e93 + bitcast<u32>(1i));
+                    let _e113 = local[_e110];
+                    let _e114 = (3u * _e113);
+                    let _e116 = local_1[_e110];
+                    let _e119 = global.member_58[_e114];
+                    let _e122 = local_1[_e110];
+                    let _e126 = global.member_58[(_e114 + 1u)];
+                    let _e129 = local_1[_e110];
+                    let _e133 = global.member_58[(_e114 + 2u)];
+                    phi_1733_ = (_e104 + (_e133 * _e129));
+                    phi_1732_ = (_e106 + (_e126 * _e122));
+                    phi_1731_ = (_e108 + (_e119 * _e116));
+                    phi_1730_ = (_e110 + bitcast<u32>(1i));
                 }
             }
-            let _e132 = global.member_11;
-            let _e135 = global.member_12;
-            let _e138 = (_e132.xyz + (_e135.xyz * vec3<f32>(f32((_e53.x & 65535u)), f32((_e53.x >> bitcast<u32>(16u))), f32((_e53.y & 65535u)))));
-            let _e142 = vec4<f32>(_e138.x, _e138.y, _e138.z, 1f);
-            let _e144 = local_2;
-            let _e147 = local_3;
-            let _e151 = local_5;
-            let _e154 = local_6;
-            let _e159 = local_8;
-            let _e162 = local_9;
-            let _e165 = (((_e147.xyz * dot(_e144, _e142)) + (_e154.xyz * dot(_e151, _e142))) + (_e162.xyz * dot(_e159, _e142)));
-            let _e166 = length(_e165);
-            if (_e166 > 0f) {
-                phi_1329_ = (_e165 / vec3(_e166));
+            let _e139 = global.member_15;
+            let _e143 = bitcast<u32>(firstLeadingBit((max(_e139, 4096u) - 1u)));
+            let _e144 = (_e143 + 1u);
+            let _e145 = (15u - _e143);
+            let _e159 = (vec2<u32>((32u << bitcast<u32>((2u * _e145))), (32u << bitcast<u32>(_e145))) - vec2<u32>(1u, 1u));
+            let _e175 = (vec2<f32>(vec2<u32>(((((_e73.x >> bitcast<u32>(16u)) >> bitcast<u32>(((2u * _e144) - 16u))) << bitcast<u32>(5u)) | ((_e73.y >> bitcast<u32>(_e144)) & 31u)), ((_e73.y >> bitcast<u32>((_e143 + 6u))) & _e159.y))) / vec2<f32>(_e159));
+            let _e179 = ((1f + (2f * _e175.x)) * 0.33333334f);
+            let _e180 = (1f - _e179);
+            let _e184 = (_e180 * (0.5f + (0.5f * _e175.y)));
+            let _e193 = (vec3<u32>(_e73.x, (_e73.x >> bitcast<u32>(_e144)), _e73.y) & vec3(((1u << bitcast<u32>(_e144)) - 1u)));
+            let _e205 = global.member_11;
+            let _e208 = global.member_12;
+            let _e214 = global.member_21;
+            let _e215 = (2u * _e214);
+            let _e219 = global_1.member[(_e215 + _e193.x)];
+            let _e221 = unpack2x16float(_e219.x);
+            let _e234 = global_1.member[(_e215 + _e193.y)];
+            let _e236 = unpack2x16float(_e234.x);
+            let _e249 = global_1.member[(_e215 + _e193.z)];
+            let _e251 = unpack2x16float(_e249.x);
+            let _e259 = ((((_e205.xyz + (_e208.xyz * vec3<f32>(f32((_e67.x & 65535u)), f32((_e67.x >> bitcast<u32>(16u))), f32((_e67.y & 65535u))))) + (vec3<f32>(_e221.x, _e221.y, unpack2x16float(_e219.y).x) * _e179)) + (vec3<f32>(_e236.x, _e236.y, unpack2x16float(_e234.y).x) * _e184)) + (vec3<f32>(_e251.x, _e251.y, unpack2x16float(_e249.y).x) * (_e180 - _e184)));
+            let _e263 = vec4<f32>(_e259.x, _e259.y, _e259.z, 1f);
+            let _e265 = local_2;
+            let _e268 = local_3;
+            let _e272 = local_5;
+            let _e275 = local_6;
+            let _e280 = local_8;
+            let _e283 = local_9;
+            let _e286 = (((_e268.xyz * dot(_e265, _e263)) + (_e275.xyz * dot(_e272, _e263))) + (_e283.xyz * dot(_e280, _e263)));
+            let _e287 = length(_e286);
+            if (_e287 > 0f) {
+                phi_1734_ = (_e286 / vec3(_e287));
             } else {
-                phi_1329_ = vec3<f32>(0f, 0f, 0f);
+                phi_1734_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e171 = phi_1329_;
-            let _e175 = (_e171.x * _e171.x);
-            let _e176 = (_e171.y * _e171.y);
-            let _e177 = (_e171.z * _e171.z);
-            let _e181 = (vec3<f32>(-(_e171.y), _e171.z, -(_e171.x)) * 0.48860252f);
-            let _e187 = global_1.member[_e48];
-            let _e189 = unpack2x16float(_e187.x);
-            let _e191 = unpack2x16float(_e187.y);
-            let _e198 = global.member_14;
-            let _e199 = (_e48 + _e198);
-            let _e202 = global_1.member[_e199];
-            let _e204 = unpack2x16float(_e202.x);
-            let _e206 = unpack2x16float(_e202.y);
-            let _e211 = (2u * _e198);
-            let _e212 = (_e48 + _e211);
-            let _e215 = global_1.member[_e212];
-            let _e217 = unpack2x16float(_e215.x);
-            let _e219 = unpack2x16float(_e215.y);
-            let _e240 = (2f * _e177);
-            let _e247 = ((3u * _e198) + _e48);
-            let _e250 = global_1.member[_e247];
-            let _e252 = unpack2x16float(_e250.x);
-            let _e254 = unpack2x16float(_e250.y);
-            let _e260 = (_e247 + _e198);
-            let _e263 = global_1.member[_e260];
-            let _e265 = unpack2x16float(_e263.x);
-            let _e267 = unpack2x16float(_e263.y);
-            let _e272 = (_e247 + _e211);
-            let _e275 = global_1.member[_e272];
-            let _e277 = unpack2x16float(_e275.x);
-            let _e279 = unpack2x16float(_e275.y);
-            let _e297 = (_e175 - _e176);
-            let _e309 = (((4f * _e177) - _e175) - _e176);
-            let _e326 = global_2.member[_e247];
-            let _e328 = unpack2x16float(_e326.x);
-            let _e330 = unpack2x16float(_e326.y);
-            let _e338 = global_2.member[_e260];
-            let _e340 = unpack2x16float(_e338.x);
-            let _e342 = unpack2x16float(_e338.y);
-            let _e349 = global_2.member[_e272];
-            let _e351 = unpack2x16float(_e349.x);
-            let _e353 = unpack2x16float(_e349.y);
-            let _e373 = global_2.member[_e48];
-            let _e375 = unpack2x16float(_e373.x);
-            let _e377 = unpack2x16float(_e373.y);
-            let _e385 = global_2.member[_e199];
-            let _e387 = unpack2x16float(_e385.x);
-            let _e389 = unpack2x16float(_e385.y);
-            let _e396 = global_2.member[_e212];
-            let _e398 = unpack2x16float(_e396.x);
-            let _e400 = unpack2x16float(_e396.y);
-            let _e418 = clamp((((((((vec4<f32>(_e189.x, _e189.y, _e191.x, _e191.y).xyz * 1f) + (vec3<f32>(_e191.y, _e204.x, _e204.y) * _e181.x)) + (vec3<f32>(_e206.x, _e206.y, _e217.x) * _e181.y)) + (vec4<f32>(_e217.x, _e217.y, _e219.x, _e219.y).yzw * _e181.z)) + ((((vec4<f32>(_e252.x, _e252.y, _e254.x, _e254.y).xyz * ((1.0925485f * _e171.x) * _e171.y)) + (vec3<f32>(_e254.y, _e265.x, _e265.y) * ((-1.0925485f * _e171.y) * _e171.z))) + (vec3<f32>(_e267.x, _e267.y, _e277.x) * (0.31539157f * ((_e240 - _e175) - _e176)))) + (vec4<f32>(_e277.x, _e277.y, _e279.x, _e279.y).yzw * ((-1.0925485f * _e171.x) * _e171.z)))) + ((((vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y).xyz * ((0.37317634f * _e171.z) * (_e240 - (3f * (_e175 + _e176))))) + (vec3<f32>(_e330.y, _e340.x, _e340.y) * ((-0.4570458f * _e171.x) * _e309))) + (vec3<f32>(_e342.x, _e342.y, _e351.x) * ((1.4453057f * _e171.z) * _e297))) + (vec4<f32>(_e351.x, _e351.y, _e353.x, _e353.y).yzw * ((-0.5900436f * _e171.x) * (_e175 - (3f * _e176)))))) + ((((vec4<f32>(_e375.x, _e375.y, _e377.x, _e377.y).xyz * (0.54627424f * _e297)) + (vec3<f32>(_e377.y, _e387.x, _e387.y) * ((-0.5900436f * _e171.y) * ((3f * _e175) - _e176)))) + (vec3<f32>(_e389.x, _e389.y, _e398.x) * (((2.8906114f * _e171.x) * _e171.y) * _e171.z))) + (vec4<f32>(_e398.x, _e398.y, _e400.x, _e400.y).yzw * ((-0.4570458f * _e171.y) * _e309)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e420 = global.member_34;
-            global_3.member[(_e420 + _e48)] = vec2<u32>(pack2x16float(_e418.xy), pack2x16float(vec2<f32>(_e418.z, 0f)));
+            let _e292 = phi_1734_;
+            let _e296 = (_e292.x * _e292.x);
+            let _e297 = (_e292.y * _e292.y);
+            let _e298 = (_e292.z * _e292.z);
+            let _e302 = (vec3<f32>(-(_e292.y), _e292.z, -(_e292.x)) * 0.48860252f);
+            let _e308 = global_2.member[_e58];
+            let _e310 = unpack2x16float(_e308.x);
+            let _e312 = unpack2x16float(_e308.y);
+            let _e318 = (_e58 + _e62);
+            let _e321 = global_2.member[_e318];
+            let _e323 = unpack2x16float(_e321.x);
+            let _e325 = unpack2x16float(_e321.y);
+            let _e330 = (_e58 + _e63);
+            let _e333 = global_2.member[_e330];
+            let _e335 = unpack2x16float(_e333.x);
+            let _e337 = unpack2x16float(_e333.y);
+            let _e358 = (2f * _e298);
+            let _e365 = ((3u * _e62) + _e58);
+            let _e368 = global_2.member[_e365];
+            let _e370 = unpack2x16float(_e368.x);
+            let _e372 = unpack2x16float(_e368.y);
+            let _e378 = (_e365 + _e62);
+            let _e381 = global_2.member[_e378];
+            let _e383 = unpack2x16float(_e381.x);
+            let _e385 = unpack2x16float(_e381.y);
+            let _e390 = (_e365 + _e63);
+            let _e393 = global_2.member[_e390];
+            let _e395 = unpack2x16float(_e393.x);
+            let _e397 = unpack2x16float(_e393.y);
+            let _e415 = (_e296 - _e297);
+            let _e427 = (((4f * _e298) - _e296) - _e297);
+            let _e444 = global_3.member[_e365];
+            let _e446 = unpack2x16float(_e444.x);
+            let _e448 = unpack2x16float(_e444.y);
+            let _e456 = global_3.member[_e378];
+            let _e458 = unpack2x16float(_e456.x);
+            let _e460 = unpack2x16float(_e456.y);
+            let _e467 = global_3.member[_e390];
+            let _e469 = unpack2x16float(_e467.x);
+            let _e471 = unpack2x16float(_e467.y);
+            let _e491 = global_3.member[_e58];
+            let _e493 = unpack2x16float(_e491.x);
+            let _e495 = unpack2x16float(_e491.y);
+            let _e503 = global_3.member[_e318];
+            let _e505 = unpack2x16float(_e503.x);
+            let _e507 = unpack2x16float(_e503.y);
+            let _e514 = global_3.member[_e330];
+            let _e516 = unpack2x16float(_e514.x);
+            let _e518 = unpack2x16float(_e514.y);
+            let _e536 = clamp((((((((vec4<f32>(_e310.x, _e310.y, _e312.x, _e312.y).xyz * 1f) + (vec3<f32>(_e312.y, _e323.x, _e323.y) * _e302.x)) + (vec3<f32>(_e325.x, _e325.y, _e335.x) * _e302.y)) + (vec4<f32>(_e335.x, _e335.y, _e337.x, _e337.y).yzw * _e302.z)) + ((((vec4<f32>(_e370.x, _e370.y, _e372.x, _e372.y).xyz * ((1.0925485f * _e292.x) * _e292.y)) + (vec3<f32>(_e372.y, _e383.x, _e383.y) * ((-1.0925485f * _e292.y) * _e292.z))) + (vec3<f32>(_e385.x, _e385.y, _e395.x) * (0.31539157f * ((_e358 - _e296) - _e297)))) + (vec4<f32>(_e395.x, _e395.y, _e397.x, _e397.y).yzw * ((-1.0925485f * _e292.x) * _e292.z)))) + ((((vec4<f32>(_e446.x, _e446.y, _e448.x, _e448.y).xyz * ((0.37317634f * _e292.z) * (_e358 - (3f * (_e296 + _e297))))) + (vec3<f32>(_e448.y, _e458.x, _e458.y) * ((-0.4570458f * _e292.x) * _e427))) + (vec3<f32>(_e460.x, _e460.y, _e469.x) * ((1.4453057f * _e292.z) * _e415))) + (vec4<f32>(_e469.x, _e469.y, _e471.x, _e471.y).yzw * ((-0.5900436f * _e292.x) * (_e296 - (3f * _e297)))))) + ((((vec4<f32>(_e493.x, _e493.y, _e495.x, _e495.y).xyz * (0.54627424f * _e415)) + (vec3<f32>(_e495.y, _e505.x, _e505.y) * ((-0.5900436f * _e292.y) * ((3f * _e296) - _e297)))) + (vec3<f32>(_e507.x, _e507.y, _e516.x) * (((2.8906114f * _e292.x) * _e292.y) * _e292.z))) + (vec4<f32>(_e516.x, _e516.y, _e518.x, _e518.y).yzw * ((-0.4570458f * _e292.y) * _e427)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
+            let _e538 = global.member_34;
+            global_4.member[(_e538 + _e58)] = vec2<u32>(pack2x16float(_e536.xy), pack2x16float(vec2<f32>(_e536.z, 0f)));
             break;
         }
     }
