@@ -451,7 +451,7 @@ mod tests {
             yaw: 3.0 * PI,
             pitch: PI,
         };
-        orbit.show(BOX, &sight, size);
+        orbit.show(BOX.into(), &sight, size);
         orbit.resize([300, 600]);
         let orbit = at_rest(orbit);
         assert!(orbit.shown.distance < 0.3 * whole);
@@ -564,13 +564,15 @@ mod tests {
             at_rest(orbit).camera(size)
         };
         for zoom in [0.0, 0.3, 100.0, -100.0] {
-            let one = after(1.0, zoom);
-            assert!(one.near <= Camera::NEAR);
+            let [one, tenth] = [1.0, 0.1].map(|scale| after(scale, zoom));
+            assert!(tenth.near < one.near && one.near <= Camera::NEAR);
             for scale in [1e-3, 0.01, 0.1, 100.0] {
                 let other = after(scale, zoom);
                 let off = (other.eye() / scale).distance(one.eye());
                 assert!(off < 1e-6, "{scale}: {off}");
-                assert!((other.near - (scale * one.near).min(Camera::NEAR)).abs() < 1e-9);
+                // No further than from a person.
+                let near = (10.0 * scale * tenth.near).min(Camera::NEAR);
+                assert!((other.near - near).abs() < 1e-9, "{scale}: {}", other.near);
             }
         }
     }

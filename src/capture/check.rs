@@ -2,20 +2,13 @@
 
 use crate::{
     capture::Capture,
+    decode::colors,
     left_out::{LeftOut, Reason},
-    mask::{Mask, MaskFile},
-    picture::colors,
+    mask::{MaskFile, fault_of},
 };
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// Fewer joints in view say nothing about a mask.
-const FEWEST_JOINTS: usize = 5;
-/// A smaller share of the joints inside the mask is a fault.
-const LEAST_INSIDE: f64 = 0.3;
-/// A mask that covers more of the picture's edge is not of a person.
-const MOST_OF_EDGE: f64 = 0.5;
 
 impl Capture {
     /// Decodes every picture and mask and returns those that can't be used: cut files, masks that
@@ -104,42 +97,10 @@ impl Capture {
     }
 }
 
-/// What is wrong with a mask. `places`: of the joints, px.
-pub fn fault_of(mask: &Mask, places: &[DVec2]) -> Option<Reason> {
-    let [width, height] = mask.size.map(|side| side as usize);
-    let at = |x: usize, y: usize| mask.person[y * width + x] > 0;
-    if places.is_empty() {
-        return Some(Reason::NoBody);
-    }
-    if mask.person.iter().all(|&part| part == 0) {
-        let highest = mask.highest;
-        return Some(Reason::EmptyMask { highest });
-    }
-    if mask.person.iter().all(|&part| part > 0) {
-        return Some(Reason::FullMask);
-    }
-    let inside = places
-        .iter()
-        .filter(|p| at(p.x as usize, p.y as usize))
-        .count();
-    let sides = (0..width).flat_map(|x| [at(x, 0), at(x, height - 1)]);
-    let edge: Vec<bool> = sides
-        .chain((0..height).flat_map(|y| [at(0, y), at(width - 1, y)]))
-        .collect();
-    let covered = edge.iter().filter(|&&part| part).count() as f64;
-    let few = (inside as f64) < LEAST_INSIDE * places.len() as f64;
-    if covered > MOST_OF_EDGE * edge.len() as f64 && few {
-        return Some(Reason::InvertedMask);
-    }
-    (few && places.len() >= FEWEST_JOINTS).then_some(Reason::Astray {
-        inside,
-        of: places.len(),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mask::Mask;
 
     fn fault(mask: impl Fn(f64, f64) -> bool) -> Option<Reason> {
         let side = 20;

@@ -1,6 +1,6 @@
 //! What of a capture can't be used, and why.
 
-use crate::mask::THRESHOLD;
+use crate::limits::THRESHOLD;
 use effigy_core::io::file::FormatError;
 use std::{collections::BTreeMap, fmt, path::PathBuf};
 
@@ -15,6 +15,33 @@ pub struct LeftOut {
     pub frame: Option<u32>,
     /// What is wrong.
     pub reason: Reason,
+}
+
+/// What a look at some masks found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MaskLook {
+    /// How many were looked at.
+    pub count: usize,
+    /// Those that can't be used.
+    pub faults: Vec<LeftOut>,
+}
+
+impl MaskLook {
+    /// Whether more than half show nothing that a person could be learned from.
+    pub fn is_useless(&self) -> bool {
+        let blank = |fault: &&LeftOut| !matches!(fault.reason, Reason::Astray { .. });
+        2 * self.faults.iter().filter(blank).count() > self.count
+    }
+}
+
+impl fmt::Display for MaskLook {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{} looked at, ", self.count)?;
+        match self.faults.first() {
+            None => write!(f, "all with the person where the pose is"),
+            Some(first) => write!(f, "{} of no use; first {first}", self.faults.len()),
+        }
+    }
 }
 
 /// Why something is left out.

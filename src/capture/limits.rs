@@ -18,3 +18,5 @@ pub const TEXT: u64 = 64 << 20;
 pub const ARCHIVE: u64 = 2 << 30;
 /// Bytes of a picture's or a mask's file.
 pub const IMAGE: u64 = 256 << 20;
+/// Above this, of 255, a mask's pixel is the person.
+pub const THRESHOLD: u8 = 128;

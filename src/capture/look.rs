@@ -2,45 +2,17 @@
 
 use crate::{
     capture::Capture,
-    check::fault_of,
-    left_out::{LeftOut, Reason},
-    mask::{Mask, MaskFile, MaskRule, Place, nonzero},
+    left_out::{LeftOut, MaskLook, Reason},
+    mask::{Mask, MaskFile, MaskRule, Place, fault_of, nonzero},
 };
 use effigy_core::{io::file::FormatError, random::hash};
 use effigy_formats::assumption::Assumption;
 use glam::DVec2;
 use rayon::prelude::*;
-use std::{collections::BTreeSet, fmt};
+use std::collections::BTreeSet;
 
 /// Masks that are looked at, at most.
 const SAMPLE: usize = 16;
-
-/// What a look at some masks found.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct MaskLook {
-    /// How many were looked at.
-    pub count: usize,
-    /// Those that can't be used.
-    pub faults: Vec<LeftOut>,
-}
-
-impl MaskLook {
-    /// Whether more than half show nothing that a person could be learned from.
-    pub fn is_useless(&self) -> bool {
-        let blank = |fault: &&LeftOut| !matches!(fault.reason, Reason::Astray { .. });
-        2 * self.faults.iter().filter(blank).count() > self.count
-    }
-}
-
-impl fmt::Display for MaskLook {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} looked at, ", self.count)?;
-        match self.faults.first() {
-            None => write!(f, "all with the person where the pose is"),
-            Some(first) => write!(f, "{} of no use; first {first}", self.faults.len()),
-        }
-    }
-}
 
 /// A mask that is looked at.
 struct Looked {

@@ -6,15 +6,21 @@
 
 use crate::{
     calibration::CaptureCamera,
-    capture::Files,
-    picture::{Decoded, Pixels, decode},
+    decode::{Decoded, Files, Pixels, decode},
+    left_out::Reason,
+    limits::THRESHOLD,
 };
 use effigy_core::io::file::FormatError;
+use glam::DVec2;
 use image::DynamicImage;
 use std::collections::{BTreeSet, HashSet};
 
-/// Above this, of 255, a mask's pixel is the person.
-pub const THRESHOLD: u8 = 128;
+/// Fewer joints in view say nothing about a mask.
+const FEWEST_JOINTS: usize = 5;
+/// A smaller share of the joints inside the mask is a fault.
+const LEAST_INSIDE: f64 = 0.3;
+/// A mask that covers more of the picture's edge is not of a person.
+const MOST_OF_EDGE: f64 = 0.5;
 /// Different numbers or colours of a segmentation, at most.
 const CLASSES: usize = 64;
 /// Channels of a colour differ by more: those of grey do by a JPEG's noise.
@@ -193,6 +199,39 @@ pub fn nonzero<'a>(places: impl Iterator<Item = &'a Place>) -> Option<String> {
         ""
     };
     Some(format!("the values {}{rest}", words.join(", ")))
+}
+
+/// What is wrong with a mask. `places`: of the joints, px.
+pub fn fault_of(mask: &Mask, places: &[DVec2]) -> Option<Reason> {
+    let [width, height] = mask.size.map(|side| side as usize);
+    let at = |x: usize, y: usize| mask.person[y * width + x] > 0;
+    if places.is_empty() {
+        return Some(Reason::NoBody);
+    }
+    if mask.person.iter().all(|&part| part == 0) {
+        let highest = mask.highest;
+        return Some(Reason::EmptyMask { highest });
+    }
+    if mask.person.iter().all(|&part| part > 0) {
+        return Some(Reason::FullMask);
+    }
+    let inside = places
+        .iter()
+        .filter(|p| at(p.x as usize, p.y as usize))
+        .count();
+    let sides = (0..width).flat_map(|x| [at(x, 0), at(x, height - 1)]);
+    let edge: Vec<bool> = sides
+        .chain((0..height).flat_map(|y| [at(0, y), at(width - 1, y)]))
+        .collect();
+    let covered = edge.iter().filter(|&&part| part).count() as f64;
+    let few = (inside as f64) < LEAST_INSIDE * places.len() as f64;
+    if covered > MOST_OF_EDGE * edge.len() as f64 && few {
+        return Some(Reason::InvertedMask);
+    }
+    (few && places.len() >= FEWEST_JOINTS).then_some(Reason::Astray {
+        inside,
+        of: places.len(),
+    })
 }
 
 #[cfg(test)]

@@ -213,13 +213,17 @@ mod tests {
             assert!(own[0].cmple(place.bounds[0] + 1e-9).all());
             assert!(own[1].cmpge(place.bounds[1] - 1e-9).all());
         }
-        for pair in boxes.windows(2) {
+        for (frame, pair) in boxes.windows(2).enumerate() {
             let step = pair[1][0] - pair[0][0];
             assert!((step.x - 1.2 / 60.0).abs() < 1e-9, "{step}");
-            assert!(
-                step.y.abs() < 1e-12 && step.z.abs() < 0.5 * 0.24 / 60.0,
-                "{step}"
-            );
+            assert!(step.y.abs() < 1e-12, "{step}");
+            // At the ends nobody knows how it would have swayed on.
+            let kept = if (50..150).contains(&frame) {
+                0.25
+            } else {
+                0.6
+            };
+            assert!(step.z.abs() < kept * 0.24 / 60.0, "{frame}: {step}");
         }
         assert!(size.x < 0.61, "all of an even pace is followed: {size}");
     }

@@ -13,6 +13,8 @@ pub fn saturation_light(cutoff: f64) -> f64 {
 }
 /// No single Gaussian covers more of a pixel than this (docs/model.md, step 10).
 pub const ALPHA_MAX: f64 = 0.99;
+/// Distance of the near plane where a person is looked at, metres.
+pub const NEAR: f64 = 0.1;
 /// Where the perspective's derivative is clamped: this fraction of the half field of view outside
 /// the image. Further out it would grow without bound.
 pub const DERIVATIVE_MARGIN: f64 = 0.3;

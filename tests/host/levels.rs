@@ -235,7 +235,7 @@ fn splats_are_imported_and_get_levels() {
         ),
         (
             &["import", &ply, "--out", &ply],
-            "does not end in .avatar, which",
+            "does not end in .avatar, .motion",
         ),
         (
             &["import", &ply, "--trained", motion, "--out", &one],

@@ -21,7 +21,7 @@ pub struct Camera {
 
 impl Camera {
     /// Default distance of the near plane, metres.
-    pub const NEAR: f64 = 0.1;
+    pub const NEAR: f64 = crate::constants::NEAR;
 
     /// Looks from `eye` at `target`, with the image's upper edge towards +y. `fov` is the vertical
     /// field of view, radians.

@@ -169,7 +169,7 @@ fn what_is_no_pinhole_or_no_camera_is_named() {
         ),
         (
             changed("[0, 0, -1, -2.2], [0", "[0"),
-            "found the `transform_matrix` [[0.0",
+            "found the matrix [[0.0",
         ),
         (
             changed("[0, 0, -1, -2.2]", "[0, 0, -2, -2.2]"),

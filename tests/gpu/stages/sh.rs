@@ -60,7 +60,8 @@ fn still(seed: u64, gaussians: usize, degree: usize) -> Avatar {
 /// half a step of which is 2⁻¹² of what lies between 1/2 and 1 and 2⁻¹¹ of the number at most;
 /// f32's sums and the direction's turns are far below that.
 fn check(what: &str, frame: &gpu::Frame) {
-    let mean = |k: usize| frame.reference.gaussians[k].mean;
+    let gaussians = &frame.reference.gaussians;
+    let mean = |k: usize| gaussians[k].mean;
     let colors = reference::sh::colors(&frame.avatar, &frame.posed, &frame.camera, mean);
     let expected = colors.unwrap();
     assert_eq!(frame.gpu.colors.len(), expected.len());

@@ -1,7 +1,7 @@
 //! What is wrong with a splat file is named; nothing in it makes the program panic or take memory
 //! that the file does not justify.
 
-use super::{FILES, File, GLB, GLTF, KSPLAT_2, SOG_1, SOG_2, SPLAT, SPZ_2, SPZ_4};
+use super::{FILES, File, GLB, GLTF, KSPLAT_2, SOG_1, SOG_2, SPZ_2, SPZ_4};
 use crate::memory;
 use effigy_formats::splats::{self, Nothing, SplatFormat};
 use flate2::{Compression, read::GzDecoder, write::GzEncoder};

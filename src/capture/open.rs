@@ -1,0 +1,413 @@
+//! Opening of a capture's folder: which of its pictures can be used.
+
+use crate::{
+    calibration::{Calibration, CaptureCamera, Named},
+    capture::{Capture, CaptureFrame},
+    decode::Files,
+    error::{CaptureError, fault, read_bytes},
+    header::{self, Head, Size},
+    layouts::{self, Layout},
+    left_out::{LeftOut, MaskLook, Reason},
+    limits,
+    mask::MaskRule,
+    poses::{self, Poses},
+    split::Split,
+    template, units,
+};
+use effigy_core::io::file::{FileError, FormatError, excerpt};
+use rayon::prelude::*;
+use std::{
+    collections::{BTreeMap, HashMap, HashSet},
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// Pictures that are known not to be there.
+const MISSING: &str = "missing_img_files.txt";
+
+/// How to open a capture.
+#[derive(Clone, Debug, Default)]
+pub struct CaptureOptions {
+    /// The body model's file; None: `template.npz` in the folder.
+    pub template: Option<PathBuf>,
+}
+
+impl Capture {
+    /// Name of the layout of a folder; None where it is no capture.
+    pub fn layout(folder: &Path) -> Option<&'static str> {
+        layouts::of(folder).map(|layout| layout.name)
+    }
+
+    /// Opens a capture: reads cameras, poses and body model, the sizes of all pictures and masks, and
+    /// some masks. What can't be used is in [`Self::left_out`].
+    ///
+    /// # Errors
+    /// When the folder has no layout that is known, or its calibration, poses or body model can't
+    /// be read or are not in metres; when no frame is left.
+    pub fn read(folder: &Path) -> Result<Self, CaptureError> {
+        Self::read_with(folder, &CaptureOptions::default())
+    }
+
+    /// Opens a capture like [`Self::read`].
+    ///
+    /// # Errors
+    /// Those of [`Self::read`].
+    pub fn read_with(folder: &Path, options: &CaptureOptions) -> Result<Self, CaptureError> {
+        let layout = layouts::of(folder).ok_or_else(|| CaptureError::Layout {
+            folder: folder.into(),
+            expected: layouts::known_by(),
+        })?;
+        let calibration_file = folder.join(layout.calibration);
+        let text = read_bytes(&calibration_file, limits::TEXT)?;
+        let calibration = Calibration::parse(&calibration_file, &text)?;
+        let split = Split::read(folder)?;
+        split.expect_names(
+            folder,
+            calibration.cameras.iter().map(|camera| &camera.name[..]),
+        )?;
+
+        let template_file = match &options.template {
+            Some(file) => file.clone(),
+            None => folder.join(template::FILE),
+        };
+        let archive = template::read(&template_file)?;
+        let poses = Poses::read(folder, archive.parent.len())?;
+        let model = archive.model(&template_file, &poses.betas)?;
+        let mut template = model.template;
+        template.expression = poses.expression();
+
+        let mut left_out = Vec::new();
+        let listed = listed(folder)?;
+        let views: Vec<View> = calibration
+            .cameras
+            .into_iter()
+            .filter_map(|named| {
+                View::find(folder, layout, named, &listed, poses.frames, &mut left_out)
+            })
+            .collect();
+
+        let mut frames = Vec::new();
+        let mut files = Vec::new();
+        for number in 0..poses.frames as u32 {
+            let row: Vec<Option<Files>> = views
+                .iter()
+                .map(|view| view.files.get(&number).cloned())
+                .collect();
+            if row.iter().all(Option::is_none) {
+                continue;
+            }
+            match poses.pose(number as usize, &model.hands) {
+                Ok(pose) => {
+                    files.extend(row);
+                    frames.push(CaptureFrame {
+                        number,
+                        pose,
+                        held: split.frames.contains(&number),
+                    });
+                }
+                Err(fault) => left_out.push(LeftOut {
+                    file: folder.join(poses::FILE),
+                    camera: None,
+                    frame: Some(number),
+                    reason: Reason::Pose(fault),
+                }),
+            }
+        }
+        let cameras = views
+            .into_iter()
+            .map(|view| CaptureCamera {
+                held: split.cameras.contains(&view.camera.name),
+                ..view.camera
+            })
+            .collect();
+        let capture = Self {
+            folder: folder.into(),
+            cameras,
+            frames,
+            template,
+            left_out,
+            assumptions: poses.assumptions(&model.hands),
+            masks: MaskLook::default(),
+            rule: MaskRule::default(),
+            files,
+        };
+        let mut capture = capture.unless_empty()?;
+        if let Some(found) = units::fault(&capture) {
+            let file = match found.of_poses {
+                true => folder.join(poses::FILE),
+                false => calibration_file,
+            };
+            return Err(fault(&file, found.error));
+        }
+        capture.look_at_masks();
+        Ok(capture)
+    }
+}
+
+/// A camera with its files.
+struct View {
+    camera: CaptureCamera,
+    /// By number of the frame.
+    files: BTreeMap<u32, Files>,
+}
+
+/// Files that the capture says are missing, with `/` and without the folder's own path.
+fn listed(folder: &Path) -> Result<HashSet<String>, CaptureError> {
+    let file = folder.join(MISSING);
+    if !file.exists() {
+        return Ok(HashSet::new());
+    }
+    let text = read_bytes(&file, limits::TEXT)?;
+    let lines = String::from_utf8_lossy(&text);
+    // On Windows or elsewhere, from the folder or from above it.
+    let paths = lines.lines().map(|line| line.trim().replace('\\', "/"));
+    Ok(paths.filter(|line| !line.is_empty()).collect())
+}
+
+/// Whether a list has a file; `path` is relative to the folder.
+fn is_listed(listed: &HashSet<String>, path: &str) -> bool {
+    let parts: Vec<&str> = path.split('/').collect();
+    // Lists name pictures with or without the first folder.
+    (0..parts.len().saturating_sub(1)).any(|from| listed.contains(&parts[from..].join("/")))
+}
+
+/// The pictures of a folder by number.
+#[derive(Default)]
+struct Numbered {
+    files: BTreeMap<u32, PathBuf>,
+    /// Name of a file that is none of them.
+    other: Option<String>,
+}
+
+impl Numbered {
+    /// Nothing where there is no folder. Where no name is a frame's number alone, a name's only
+    /// number is.
+    fn read(folder: &Path, number: fn(&str) -> Option<u32>) -> Result<Self, CaptureError> {
+        let unreadable = |cause| FileError::Read {
+            file: folder.into(),
+            cause,
+        };
+        if !folder.is_dir() {
+            return Ok(Self::default());
+        }
+        let mut paths = Vec::new();
+        for entry in fs::read_dir(folder).map_err(unreadable)? {
+            paths.push(entry.map_err(unreadable)?.path());
+        }
+        // Which of two of one number is taken must not be chance.
+        paths.sort();
+        let plain = Self::named(&paths, number);
+        if !plain.files.is_empty() {
+            return Ok(plain);
+        }
+        let loose = Self::named(&paths, layouts::only_number);
+        let is_unique = loose.files.len() == paths.iter().filter(|path| is_picture(path)).count();
+        Ok(if is_unique { loose } else { plain })
+    }
+
+    fn named(paths: &[PathBuf], number: fn(&str) -> Option<u32>) -> Self {
+        let mut found = Self::default();
+        for path in paths {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            match number(&stem).filter(|_| is_picture(path)) {
+                Some(number) if found.files.len() < limits::FRAMES => {
+                    found.files.entry(number).or_insert_with(|| path.clone());
+                }
+                _ if found.other.is_none() && path.is_file() => {
+                    let name = path.file_name().unwrap_or_default().to_string_lossy();
+                    found.other = Some(excerpt(&name));
+                }
+                _ => {}
+            }
+        }
+        found
+    }
+
+    /// That there is none of a frame.
+    fn missing(&self) -> Reason {
+        Reason::Missing {
+            other: self.other.clone().filter(|_| self.files.is_empty()),
+        }
+    }
+}
+
+/// Whether a file's ending is that of a picture.
+fn is_picture(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    ["png", "jpg", "jpeg"].contains(&&*ending.to_ascii_lowercase())
+}
+
+impl View {
+    /// Finds a camera's files. None, with what is wrong in `left_out`: the camera is of no use.
+    fn find(
+        folder: &Path,
+        layout: &Layout,
+        named: Named,
+        listed: &HashSet<String>,
+        poses: usize,
+        left_out: &mut Vec<LeftOut>,
+    ) -> Option<Self> {
+        let Named { name, entry } = named;
+        let mut leave_out = |file: PathBuf, frame: Option<u32>, reason| {
+            left_out.push(LeftOut {
+                file,
+                camera: Some(name.clone()),
+                frame,
+                reason,
+            });
+        };
+        let calibration = folder.join(layout.calibration);
+        let [picture_folder, mask_folder] = [(layout.pictures)(&name), (layout.masks)(&name)];
+        let read = |below: &str| Numbered::read(&folder.join(below), layout.number);
+        let (pictures, masks) = match (read(&picture_folder), read(&mask_folder)) {
+            (Ok(pictures), Ok(masks)) => (pictures, masks),
+            (Err(error), _) | (_, Err(error)) => {
+                let fault = FormatError::container(error, "its pictures");
+                leave_out(calibration, None, Reason::Camera(fault));
+                return None;
+            }
+        };
+        let headers: Vec<Header> = pictures
+            .files
+            .par_iter()
+            .map(|(number, picture)| Header::read(*number, picture, masks.files.get(number)))
+            .collect();
+        let size = entry.size().or_else(|| commonest(&headers));
+        // No picture at all: any size does.
+        let camera = match entry.camera(&name, size.unwrap_or([1, 1])) {
+            Ok(camera) => camera,
+            Err(fault) => {
+                leave_out(calibration, None, Reason::Camera(fault));
+                return None;
+            }
+        };
+        let expected = camera.camera.size;
+        let mut files = BTreeMap::new();
+        let relative = |path: &Path| {
+            let path = path.strip_prefix(folder).unwrap_or(path);
+            path.to_string_lossy().replace('\\', "/")
+        };
+        for header in &headers {
+            let number = header.number;
+            let picture = &pictures.files[&number];
+            let mask = masks.files.get(&number);
+            match header.fault(expected, poses, &masks) {
+                _ if is_listed(listed, &relative(picture)) => {
+                    leave_out(picture.clone(), Some(number), Reason::Listed);
+                }
+                None => {
+                    let mask = mask.unwrap_or(picture).clone();
+                    let picture = picture.clone();
+                    files.insert(number, Files { picture, mask });
+                }
+                Some(HeaderFault { of_mask, reason }) => {
+                    let file = match mask {
+                        Some(mask) if of_mask => mask.clone(),
+                        None if of_mask => like(picture, &folder.join(&mask_folder)),
+                        _ => picture.clone(),
+                    };
+                    leave_out(file, Some(number), reason);
+                }
+            }
+        }
+        // What is not there, up to the last pose.
+        for number in 0..poses as u32 {
+            if pictures.files.contains_key(&number) {
+                continue;
+            }
+            let file = folder
+                .join(&picture_folder)
+                .join(format!("{number:08}.png"));
+            let jpeg = file.with_extension("jpg");
+            let known = [&file, &jpeg]
+                .iter()
+                .any(|file| is_listed(listed, &relative(file)));
+            let reason = if known {
+                Reason::Listed
+            } else {
+                pictures.missing()
+            };
+            leave_out(file, Some(number), reason);
+        }
+        Some(Self { camera, files })
+    }
+}
+
+/// The mask's path where there is none.
+fn like(picture: &Path, masks: &Path) -> PathBuf {
+    masks.join(picture.file_name().unwrap_or_default())
+}
+
+/// What a picture and its mask say of themselves.
+struct Header {
+    number: u32,
+    picture: Result<Head, FormatError>,
+    /// None: there is no mask.
+    mask: Option<Result<Head, FormatError>>,
+}
+
+/// What is wrong with a picture or its mask.
+struct HeaderFault {
+    of_mask: bool,
+    reason: Reason,
+}
+
+impl Header {
+    fn read(number: u32, picture: &Path, mask: Option<&PathBuf>) -> Self {
+        Self {
+            number,
+            picture: header::read(picture),
+            mask: mask.map(|mask| header::read(mask)),
+        }
+    }
+
+    /// What is wrong, if it is. `masks`: of the camera.
+    fn fault(&self, expected: Size, poses: usize, masks: &Numbered) -> Option<HeaderFault> {
+        if self.number as usize >= poses {
+            return Some(HeaderFault {
+                of_mask: false,
+                reason: Reason::NoPose { poses },
+            });
+        }
+        let of = |found: &Result<Head, FormatError>| match found {
+            Err(fault) => Some(Reason::Unreadable(fault.clone())),
+            Ok(Head { size, .. }) if *size != expected => Some(Reason::Size {
+                found: *size,
+                expected,
+            }),
+            Ok(_) => None,
+        };
+        if let Some(reason) = of(&self.picture) {
+            return Some(HeaderFault {
+                of_mask: false,
+                reason,
+            });
+        }
+        let has_alpha = self.picture.as_ref().is_ok_and(|head| head.has_alpha);
+        let reason = match &self.mask {
+            // Where some masks are missing, their pictures have none either.
+            None if has_alpha && masks.files.is_empty() => None,
+            None => Some(masks.missing()),
+            Some(mask) => of(mask),
+        };
+        reason.map(|reason| HeaderFault {
+            of_mask: true,
+            reason,
+        })
+    }
+}
+
+/// The size that most pictures have.
+fn commonest(headers: &[Header]) -> Option<Size> {
+    let mut counts: HashMap<Size, usize> = HashMap::new();
+    for head in headers
+        .iter()
+        .filter_map(|header| header.picture.as_ref().ok())
+    {
+        *counts.entry(head.size).or_default() += 1;
+    }
+    counts
+        .into_iter()
+        .max_by_key(|&(size, count)| (count, size))
+        .map(|(size, _)| size)
+}
