@@ -16,12 +16,15 @@ if [ ! -s "$library" ]; then
   mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | sed -n 1p)
   [ -n "$mirror" ] || mirror=$(awk '/^URIs:/{print $2; exit}' /etc/apt/sources.list.d/*.sources)
   apt="$dest/apt"
-  mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$dest/mesa25"
+  mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
   echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror bookworm-backports main" > "$apt/sources.list"
   options=(-o Dir::Etc::sourcelist="$apt/sources.list" -o Dir::Etc::sourceparts=/nonexistent -o Dir::State::lists="$apt/lists" -o Dir::Cache="$apt/cache" -o APT::Sandbox::User=root)
   apt-get "${options[@]}" update -qq
   (cd "$apt" && apt-get "${options[@]}" download -q mesa-vulkan-drivers/bookworm-backports >/dev/null)
-  dpkg -x "$apt"/mesa-vulkan-drivers_*.deb "$dest/mesa25"
+  # Whole or not at all.
+  rm -rf "$dest/mesa25"
+  dpkg -x "$apt"/mesa-vulkan-drivers_*.deb "$apt/mesa25"
+  mv "$apt/mesa25" "$dest/mesa25"
   rm -rf "$apt"
 fi
 write_icd "$dest/mesa25.json" "$library" 1.4.305

@@ -11,7 +11,7 @@ need 'ls /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json "${VK_DRIVER_FI
 if [ -n "${DISPLAY:-}" ]; then need 'ldconfig -p | grep -q libxkbcommon-x11.so.0' libxkbcommon-x11-0; fi
 # Without a GPU, Debian 12's own driver for CPUs takes several times as long as the newest: that one is fetched, and used here alone.
 if [ -z "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ] && ! ls /dev/dri/renderD* /dev/nvidia[0-9]* /dev/dxg >/dev/null 2>&1 &&
-  grep -qs '^VERSION_CODENAME=bookworm' /etc/os-release; then
+  grep -qs '^VERSION_CODENAME=bookworm' /etc/os-release && [ "$(uname -m)" = x86_64 ]; then
   [ -s target/drivers/mesa25.json ] || echo "no GPU here: fetching Mesa 25's driver for CPUs into target/drivers" >&2
   if tools/lavapipe.sh >&2; then
     export VK_DRIVER_FILES=$PWD/target/drivers/mesa25.json

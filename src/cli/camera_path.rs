@@ -1,13 +1,15 @@
 //! The frames of a clip that `--frames` names, and what a camera holds in all of them.
 
 use anyhow::ensure;
-use effigy_core::avatar::Clip;
-use glam::DVec3;
+use effigy_core::{avatar::Clip, scene::Camera};
+use glam::{DVec2, DVec3};
 use std::ops::Range;
 
 /// Time constant with which a camera goes along, seconds: two steps of a walk sway less than this
 /// evens out.
 const SMOOTHING: f64 = 0.3;
+/// How far from the middle heads and feet reach, metres.
+const TRUNK: f64 = 0.25;
 /// The smoothing ends this many time constants away.
 const REACH: f64 = 3.0;
 
@@ -74,6 +76,25 @@ pub struct Place {
     pub bounds: [DVec3; 2],
     /// The point on the ground that goes along with them.
     pub ground: DVec3,
+}
+
+impl Place {
+    /// Whether a camera has head and feet of who stands there in its image.
+    pub fn is_in_view(&self, camera: &Camera) -> bool {
+        let [low, high] = self.bounds;
+        let size = DVec2::from(camera.size.map(f64::from));
+        [low.y, high.y].into_iter().all(|y| {
+            [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y]
+                .into_iter()
+                .all(|side| {
+                    let aside = TRUNK * side;
+                    let at = DVec3::new(self.ground.x + aside.x, y, self.ground.z + aside.y);
+                    let seen = camera.view.transform_point3(at);
+                    let at = camera.project(seen);
+                    seen.z > camera.near && at.cmpge(DVec2::ZERO).all() && at.cmple(size).all()
+                })
+        })
+    }
 }
 
 /// A box that holds every place: what one camera looks at.

@@ -21,6 +21,8 @@ pub struct Interrupts {
     signal: Arc<AtomicUsize>,
     /// Set while the signals end the program as they do by default.
     as_usual: Arc<AtomicBool>,
+    /// Set while ways to draw are timed: [`Self::excuse`] ends the program then.
+    trying: Arc<AtomicBool>,
 }
 
 impl Interrupts {
@@ -45,8 +47,9 @@ impl Interrupts {
     /// is something to save by then.
     pub fn leave_unless(&self, is_to_save: &Arc<AtomicBool>, code: u8, sentence: String) {
         let is_to_save = is_to_save.clone();
+        let trying = self.trying.clone();
         self.when_stopped(move || {
-            if !is_to_save.load(Ordering::SeqCst) {
+            if !is_to_save.load(Ordering::SeqCst) && !trying.load(Ordering::SeqCst) {
                 eprintln!("{sentence}");
                 exit_now(code.into());
             }
@@ -83,6 +86,7 @@ impl Interrupts {
             stop: Arc::default(),
             signal: Arc::default(),
             as_usual: Arc::new(as_usual.into()),
+            trying: Arc::default(),
         }
     }
 
@@ -111,6 +115,7 @@ impl Interrupts {
             before: self.as_usual.swap(false, Ordering::SeqCst),
             interrupts: self,
         };
+        self.trying.store(true, Ordering::SeqCst);
         std::thread::scope(|scope| {
             // Closed when the trials end, by a panic too.
             let (_trials, ended) = mpsc::channel::<()>();
@@ -156,6 +161,7 @@ impl Drop for AsBefore<'_> {
     fn drop(&mut self) {
         let as_usual = &self.interrupts.as_usual;
         as_usual.store(self.before, Ordering::SeqCst);
+        self.interrupts.trying.store(false, Ordering::SeqCst);
         // One that came as the trials ended, and that nobody would look at.
         if self.before && self.interrupts.stop.load(Ordering::SeqCst) {
             self.interrupts.leave();

@@ -36,14 +36,16 @@ const fn kind(endings: &'static [&'static str], streams: bool) -> Kind {
 pub static IMAGE: Kind = kind(&["png", "jpg", "jpeg", "webp"], true);
 /// An image, or several in one.
 pub static PNG: Kind = kind(&["png"], true);
-/// A report or a trace.
+/// A report.
 pub static JSON: Kind = kind(&["json"], true);
+/// A trace.
+pub static TRACE: Kind = kind(&["json"], false);
 /// A table.
 pub static CSV: Kind = kind(&["csv"], true);
 /// A chart.
 pub static CHART: Kind = kind(&["svg", "png"], true);
 /// A page.
-pub static MARKDOWN: Kind = kind(&["md"], true);
+pub static MARKDOWN: Kind = kind(&["md"], false);
 /// An avatar.
 pub static AVATAR: Kind = kind(&["avatar"], false);
 /// A clip.

@@ -34,6 +34,10 @@ const SIZE: [u32; 2] = [1024, 1024];
 /// The largest image that the reference draws, pixels: at 32 bytes each, 4 GB.
 const REFERENCE_PIXELS: u64 = 1 << 27;
 
+/// A camera that does not hold everybody goes so much further away, so often at most.
+const FURTHER: f64 = 1.03;
+const STEPS: i32 = 40;
+
 #[derive(clap::Args, Debug)]
 pub struct Args {
     #[command(flatten)]
@@ -221,16 +225,28 @@ impl Shoot<'_> {
         place(self.avatar, &self.bounds, &self.row(seconds))
     }
 
-    /// The camera of the arguments that looks at a box.
-    fn camera(&self, bounds: [DVec3; 2]) -> anyhow::Result<Camera> {
+    /// The camera of the arguments that looks at a box. `places`: where somebody stands in it.
+    fn camera(&self, bounds: [DVec3; 2], places: &[Place]) -> anyhow::Result<Camera> {
         let size = self.args.size.unwrap_or(SIZE);
         let framing = framing(self.avatar, bounds);
-        let mut camera = self.args.camera.clone();
-        if camera.distance.is_none() && !self.avatar.is_static() {
-            let fov = camera.fov.to_radians();
-            camera.distance = Some(Camera::standing_distance(framing.bounds, fov, size));
+        let mut arguments = self.args.camera.clone();
+        // Copies stand anywhere in the box.
+        let one = self.args.count == 1 && !self.avatar.is_static();
+        if arguments.distance.is_some() || !one {
+            return arguments.camera(framing, size);
         }
-        camera.camera(framing, size)
+        let fov = arguments.fov.to_radians();
+        let nearest = Camera::standing_distance(framing.bounds, fov, size);
+        let mut camera = arguments.camera(framing, size)?;
+        // From above or below, heads and feet at the box's edges need more room.
+        for step in 0..STEPS {
+            arguments.distance = Some(nearest * FURTHER.powi(step));
+            camera = arguments.camera(framing, size)?;
+            if places.iter().all(|place| place.is_in_view(&camera)) {
+                break;
+            }
+        }
+        Ok(camera)
     }
 
     /// A camera for each of these times, `rate` a second: one that holds all of them, or follows.
@@ -240,10 +256,10 @@ impl Shoot<'_> {
             let boxes = followed(&places, rate);
             return boxes
                 .into_iter()
-                .map(|bounds| self.camera(bounds))
+                .map(|bounds| self.camera(bounds, &[]))
                 .collect();
         }
-        Ok(vec![self.camera(held(&places))?; times.len()])
+        Ok(vec![self.camera(held(&places), &places)?; times.len()])
     }
 
     /// All images to take: of one time or of frames, `rate` a second, from the camera of the

@@ -72,7 +72,7 @@ pub struct Args {
     /// Also write a timeline of host and device, a .json for ui.perfetto.dev
     ///
     /// A long soak's timeline has its last frames only.
-    #[arg(long, value_name = "FILE", value_parser = output::JSON.parser())]
+    #[arg(long, value_name = "FILE", value_parser = output::TRACE.parser())]
     trace: Option<Output>,
     /// Start of the names of the files to write; .json, .csv, .svg and .png are appended
     #[arg(short, long, value_name = "NAME", default_value = "effigy-soak")]

@@ -52,7 +52,7 @@ pub struct Args {
     #[arg(long, value_name = "MINUTES", value_parser = options::minutes)]
     soak: Option<f64>,
     /// Also write a timeline of host and device, a .json for ui.perfetto.dev
-    #[arg(long, value_name = "FILE", value_parser = output::JSON.parser())]
+    #[arg(long, value_name = "FILE", value_parser = output::TRACE.parser())]
     trace: Option<Output>,
     #[command(flatten, next_help_heading = "Quality")]
     quality: QualityArgs,

@@ -149,7 +149,8 @@ pub fn camera(avatar: &Avatar, posed: &Posed, size: [u32; 2]) -> Camera {
         (min + max) / 2.0,
         0.5,
         0.1,
-        1.3 * (max - min).length(),
+        // A splat alone has no extent.
+        1.3 * (max - min).length().max(0.15),
         0.7,
         size,
     )

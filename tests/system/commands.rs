@@ -13,6 +13,8 @@ fn command(folder: &Path, arguments: &str) -> Command {
     command
         .args(arguments.split_whitespace())
         .current_dir(folder)
+        // Libraries of windows complain on standard error without it.
+        .env("XDG_RUNTIME_DIR", folder)
         // Without a display, whatever the machine has.
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY");

@@ -181,7 +181,7 @@ fn inspect_says_what_any_file_is() {
         ),
         (Some(true), Some(1))
     );
-    for (name, kind) in [("inner/lafan.bvh", "capture"), ("small.sog", "avatar")] {
+    for (name, kind) in [("inner/lafan.bvh", "capture"), ("small.sog", "splats")] {
         let summary = works(
             folder.path(),
             &["inspect", name, "--json", "--png", "a.png"],

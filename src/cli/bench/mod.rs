@@ -8,7 +8,7 @@ use crate::{
     backend::BackendArg,
     interrupt::Interrupts,
     options::{self, QualityArgs},
-    output::{CHART, CSV, JSON, Output, PNG},
+    output::{CHART, CSV, JSON, Output, PNG, TRACE},
     picture, progress,
     source::{self, Source},
 };
@@ -94,7 +94,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE", value_parser = CSV.parser())]
     csv: Option<Output>,
     /// Also write a timeline of host and device, a .json for ui.perfetto.dev
-    #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
+    #[arg(long, value_name = "FILE", value_parser = TRACE.parser())]
     trace: Option<Output>,
     /// Also draw the avatar of each case that has a height as large as it is shown, as these options
     /// draw it, and as it should look, enlarged one above the other, into a .png

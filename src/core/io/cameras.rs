@@ -14,7 +14,7 @@ use super::{file::FormatError, text};
 use crate::scene::Camera;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use serde::{
-    Deserialize, Serialize,
+    Deserialize, Serialize, Serializer,
     de::{DeserializeOwned, IgnoredAny},
 };
 
@@ -129,12 +129,19 @@ struct CameraEntry {
     #[serde(skip_deserializing)]
     img_name: String,
     /// Whole, though some programs write `192.0`.
+    #[serde(serialize_with = "whole")]
     width: f64,
+    #[serde(serialize_with = "whole")]
     height: f64,
     position: [f64; 3],
     rotation: [[f64; 3]; 3],
     fx: f64,
     fy: f64,
+}
+
+/// Writes a number of pixels as 3DGS does.
+fn whole<S: Serializer>(side: &f64, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_u64(*side as u64)
 }
 
 impl CameraEntry {

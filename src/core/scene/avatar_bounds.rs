@@ -324,8 +324,8 @@ impl AvatarBounds {
         }
     }
 
-    /// Lower and upper corner of a box around the posed avatar, in the space that the joint
-    /// matrices lead to.
+    /// Lower and upper corner of a box around the posed avatar, of splats around their centres, in
+    /// the space that the joint matrices lead to.
     pub fn bounds(&self, joints: &[DAffine3]) -> [DVec3; 2] {
         let movers: Vec<BoxMover> = joints.iter().map(|&joint| BoxMover::new(joint)).collect();
         let body = self

@@ -10,6 +10,7 @@ pub use opened::OpenedCameras;
 use effigy_core::io::{
     cameras,
     file::{FileError, FormatError},
+    text,
 };
 use glam::DAffine3;
 use opened::{KNOWN, bytes, content, not_json};
@@ -26,7 +27,8 @@ pub fn read(path: &Path, world: DAffine3) -> Result<OpenedCameras, FileError> {
         return colmap::read(path, world);
     }
     let bytes = bytes(path)?;
-    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let text = text::utf8(&bytes);
+    let text = &*text;
     match text.trim_ascii_start().first() {
         Some(b'{') => {
             let keys = keys(text).map_err(|fault| content(path, fault))?;

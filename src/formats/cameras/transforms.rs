@@ -234,6 +234,10 @@ fn picture_size(folder: &Path, file_path: &str) -> Option<[f64; 2]> {
     if path.extension().is_none() {
         path.set_extension("png");
     }
+    // A pipe or a terminal would never end.
+    if !path.metadata().ok()?.is_file() {
+        return None;
+    }
     let mut header = [0; 24];
     File::open(path).ok()?.read_exact(&mut header).ok()?;
     let [.., a, b, c, d, e, f, g, h] = header;

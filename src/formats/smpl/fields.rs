@@ -153,7 +153,7 @@ impl Fields<'_> {
         if array.numbers.is_empty() {
             return Ok(None);
         }
-        if width > max {
+        if !(1..=max).contains(&width) {
             return Err(FormatError::metadata(
                 name,
                 format!("the shape {:?}", array.shape),

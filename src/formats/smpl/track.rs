@@ -99,11 +99,22 @@ impl Track {
     pub fn of_person(mut self, person: usize) -> Result<Self, FormatError> {
         let tables = self.parts.iter().map(|part| &*part.table);
         let people = tables.map(|table| table.people).max().unwrap_or(1);
+        if person >= people {
+            return Err(no_such_person(person, people));
+        }
         if people == 1 {
             return Ok(self);
         }
-        if person >= people {
-            return Err(no_such_person(person, people));
+        let parts = self.parts.iter().map(|part| &*part.table);
+        let others = self.translation.iter().chain(&self.expression);
+        if let Some(odd) = parts
+            .chain(others)
+            .find(|table| table.people != 1 && table.people != people)
+        {
+            return Err(FormatError::container(
+                format!("an array of {} people beside one of {people}", odd.people),
+                "as many people in each",
+            ));
         }
         for part in &mut self.parts {
             part.table = Rc::new(part.table.of_person(person));

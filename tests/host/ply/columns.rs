@@ -192,6 +192,14 @@ fn a_filter_in_three_dimensions_is_fused() {
             "row {row}: {read} {opacity}"
         );
     }
+    // A ball stays one.
+    let balls = ply::read(&binary(
+        &[base(), scales(1), colors(), vec![filter.clone()]].concat(),
+    ));
+    let balls = balls.unwrap().splats;
+    for [a, b, c] in &balls.log_scale[..4] {
+        assert!(a == b && b == c, "{a} {b} {c}");
+    }
     let sound = found(&binary(
         &[base(), scales(3), colors(), vec![filter]].concat(),
     ));

@@ -247,6 +247,40 @@ fn compressed_motion_is_that_of_the_plain_file() {
     assert!(peak < 4 * plain.len() + (64 << 20), "{peak} bytes");
 }
 
+/// Arrays of other shapes than their neighbours', where a person is asked for.
+fn arrays_of_other_shapes_are_refused() {
+    let zeros = |count: usize| vec![0; 4 * count];
+    let poses = |shape: &str, count| ("poses.npy", npy("<f4", shape, &zeros(count)));
+    let people = archive(
+        &[
+            poses("(3, 10, 72)", 3 * 10 * 72),
+            ("trans.npy", npy("<f4", "(2, 10, 3)", &zeros(2 * 10 * 3))),
+        ],
+        CompressionMethod::Stored,
+    );
+    let scalar = archive(
+        &[
+            poses("(10, 72)", 720),
+            ("expression.npy", npy("<f4", "()", &zeros(1))),
+        ],
+        CompressionMethod::Stored,
+    );
+    for (bytes, person, expected) in [
+        (&people, 2, "an array of 2 people beside one of 3"),
+        (&people, 3, "3 people"),
+        (&scalar, 0, "the shape []"),
+        (
+            &archive(&[poses("(10, 72)", 720)], CompressionMethod::Stored),
+            4,
+            "1 people",
+        ),
+    ] {
+        let options = Options { rate: None, person };
+        let refused = smpl::from_bytes(bytes, &options).expect_err(expected);
+        assert!(refused.to_string().contains(expected), "{refused}");
+    }
+}
+
 fn a_file_that_ends_too_soon_is_refused_wherever_it_ends() {
     for file in FILES {
         for end in 0..file.bytes.len() {
@@ -287,6 +321,7 @@ tests! {
     pickles_take_what_their_size_allows,
     memory_follows_from_the_file_not_from_its_word,
     compressed_motion_is_that_of_the_plain_file,
+    arrays_of_other_shapes_are_refused,
     a_file_that_ends_too_soon_is_refused_wherever_it_ends,
     changed_bytes_never_panic,
 }

@@ -138,6 +138,15 @@ fn the_finest_level_of_a_streamed_sog_is_drawn() {
         );
         assert!(said.contains(expected), "{said}");
     }
+    // Levels that nobody made are not walked through one by one.
+    let last = r#"{"lods": {"4294967295": {"file": 0, "offset": 0, "count": 3000000}}}"#;
+    let refused = write("null", &[last.into()]).unwrap_err().to_string();
+    assert!(refused.contains("3000000"), "{refused}");
+    let level =
+        |k: usize| format!(r#"{{"lods": {{"{k}": {{"file": 0, "offset": 0, "count": 1}}}}}}"#);
+    let many: Vec<String> = (0..100).map(level).collect();
+    let refused = write("null", &many).unwrap_err().to_string();
+    assert!(refused.contains("more than 64 levels"), "{refused}");
     fs::remove_dir_all(path.join("0_0")).unwrap();
     let missing = write("null", &leaves).unwrap_err().to_string();
     assert!(missing.contains("`0_0/meta.json`"), "{missing}");

@@ -182,11 +182,13 @@ impl Color {
 /// Blurs Gaussians by balls, so that each keeps its mass: variances add up, and opacities fall as
 /// the volume grows.
 fn fuse(splats: &mut Splats, rows: &Table, filter: Column, scales: usize) {
+    // A ball has one scale for all of its axes.
+    let axes = if scales == 2 { 2 } else { 3 };
     for k in 0..splats.len() {
         let square = rows.value(k, filter).powi(2);
         let mut part = 1.0;
         // A disc's thickness is none of the file's.
-        for log_scale in &mut splats.log_scale[k][..scales] {
+        for log_scale in &mut splats.log_scale[k][..axes] {
             let variance = (2.0 * f64::from(*log_scale)).exp();
             let fused = variance + square;
             if fused > 0.0 {

@@ -29,7 +29,7 @@ pub fn moved(middle: [f64; 3]) -> Assumption {
         what: "place",
         taken: format!("{x}, {y}, {z} is the new origin"),
         because: format!(
-            "the scene is more than {} m from its own; cameras and clips move by as much",
+            "the scene is more than {} m from its own; move cameras and clips by as much",
             limits::LENGTH
         ),
     }

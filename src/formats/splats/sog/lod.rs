@@ -21,10 +21,15 @@ use effigy_core::{
     },
 };
 use serde::Deserialize;
-use std::{collections::BTreeMap, ops::Range};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    ops::Range,
+};
 
 /// Longest document, bytes, and its objects, at most: each takes more memory than its text.
 const MAX: u64 = 16 << 20;
+/// Levels of detail, at most: the tree is walked for each.
+const LEVELS: usize = 64;
 const OBJECTS: usize = 200_000;
 /// Longest SOG of a part, bytes.
 const MAX_PART: u64 = 256 << 20;
@@ -56,6 +61,16 @@ struct Run {
 }
 
 impl Node {
+    /// Adds the levels that leaves have, until there are more than [`LEVELS`].
+    fn levels(&self, levels: &mut BTreeSet<u32>) {
+        levels.extend(self.lods.keys());
+        for child in &self.children {
+            if levels.len() <= LEVELS {
+                child.levels(levels);
+            }
+        }
+    }
+
     /// What each leaf has at a level, or at the finest below.
     fn runs(&self, level: u32, runs: &mut Vec<Run>) {
         runs.extend(self.lods.range(level..).next().map(|(_, run)| *run));
@@ -81,24 +96,39 @@ pub fn in_archive(bytes: &[u8]) -> Result<Found, FormatError> {
     }
 }
 
+/// The finest level that an avatar holds beside `more` splats, and its runs.
+fn finest(document: &Document, more: usize) -> Result<(u32, Vec<Run>), FormatError> {
+    let mut levels = BTreeSet::from([0]);
+    document.tree.levels(&mut levels);
+    if levels.len() > LEVELS {
+        let found = format!("more than {LEVELS} levels of detail");
+        return Err(wrong("tree", found, "fewer"));
+    }
+    let mut fault = None;
+    for level in levels {
+        let mut runs = vec![];
+        document.tree.runs(level, &mut runs);
+        let counts = runs.iter().map(|run| run.count as u64);
+        let count = counts.fold(more as u64, u64::saturating_add);
+        match check_count(count) {
+            Ok(()) => return Ok((level, runs)),
+            Err(found) => fault = Some(found),
+        }
+    }
+    Err(fault.unwrap_or_else(|| wrong("tree", "no levels", "some")))
+}
+
 /// Reads the finest level that an avatar holds. `files` has the SOGs.
 ///
 /// # Errors
 /// When the document or a SOG breaks a rule, or no level is small enough.
 pub fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Found, FormatError> {
     let document = parse(meta)?;
-    let mut level = 0;
-    let runs = loop {
-        let mut runs = vec![];
-        document.tree.runs(level, &mut runs);
-        let counts = runs.iter().map(|run| run.count as u64);
-        let count = counts.fold(0, u64::saturating_add);
-        match check_count(count) {
-            Ok(()) => break runs,
-            Err(fault) if count == 0 => return Err(fault),
-            Err(_) => level += 1,
-        }
+    let around = match &document.environment {
+        Some(name) => Some(part(name, files)?),
+        None => None,
     };
+    let (level, runs) = finest(&document, around.as_ref().map_or(0, Splats::len))?;
     let mut of_file: BTreeMap<&str, Vec<Range<usize>>> = BTreeMap::new();
     for Run {
         file,
@@ -138,8 +168,8 @@ pub fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Found, FormatError> {
             ranges.into_iter().for_each(|range| add(splats.part(range)));
         }
     }
-    if let Some(name) = &document.environment {
-        add(part(name, files)?);
+    if let Some(around) = around {
+        add(around);
     }
     let splats = all.ok_or_else(|| wrong("tree", "no splats", "some"))?;
     let taken = Assumption {
