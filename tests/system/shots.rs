@@ -103,7 +103,7 @@ fn rows(image: &RgbaImage) -> [u32; 2] {
     let drawn = |row: &u32| (0..image.width()).any(|x| image.get_pixel(x, *row).0[3] > 64);
     let mut all = (0..image.height()).filter(drawn);
     let first = all.next().unwrap();
-    [first, all.last().unwrap()]
+    [first, all.next_back().unwrap()]
 }
 
 /// The demo crouches and jumps: where a camera aims anew, it stays in the middle.

@@ -321,7 +321,11 @@ export class Effigy extends EventTarget {
   frameAvatar() {
     this.#checkOpen();
     this.#describe();
-    this.camera = framing(this.#description.bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
+    this.camera = framing(
+      this.#description.bounds,
+      this.#camera.fov,
+      this.#canvas.width / this.#canvas.height,
+    );
   }
 
   set projection(on) {

@@ -216,7 +216,8 @@ fn poses_are_taken_as_they_are_by_the_models_own_skeleton() {
     for list in [&mut fewer.rest, &mut fewer.canonical] {
         list.pop();
     }
-    (fewer.name.pop(), fewer.parent.pop());
+    fewer.name.pop();
+    fewer.parent.pop();
     let mut renamed = own.clone();
     renamed.name.swap(22, 23);
     let mut turned = own;

@@ -43,7 +43,13 @@ mod tests {
     fn only_what_is_far_moves() {
         let utm = |k: usize| [512_345.4 + k as f64 * 1e-3, 5_401_234.0, 312.0];
         assert_eq!(far_middle(101, utm), Some([512_345.0, 5_401_234.0, 312.0]));
-        let near = |k: usize| [9_000.0, if k % 3 == 0 { 1e9 } else { 1.0 }, f64::NAN];
+        let near = |k: usize| {
+            [
+                9_000.0,
+                if k.is_multiple_of(3) { 1e9 } else { 1.0 },
+                f64::NAN,
+            ]
+        };
         assert_eq!(far_middle(50_000, near), None);
         assert_eq!(far_middle(0, near), None);
     }
