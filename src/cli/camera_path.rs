@@ -79,20 +79,30 @@ pub struct Place {
 }
 
 impl Place {
-    /// Whether a camera has head and feet of who stands there in its image.
+    /// Whether a camera has who stands there in its image: head and feet, and arms at the box's sides.
     pub fn is_in_view(&self, camera: &Camera) -> bool {
         let [low, high] = self.bounds;
         let size = DVec2::from(camera.size.map(f64::from));
+        let seen = |x: f64, y: f64, z: f64| {
+            let seen = camera.view.transform_point3(DVec3::new(x, y, z));
+            (seen.z > camera.near).then(|| camera.project(seen))
+        };
         [low.y, high.y].into_iter().all(|y| {
-            [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y]
+            let sides = [(TRUNK, 0.0), (-TRUNK, 0.0), (0.0, TRUNK), (0.0, -TRUNK)];
+            let corners = [
+                (low.x, low.z),
+                (low.x, high.z),
+                (high.x, low.z),
+                (high.x, high.z),
+            ];
+            let upright = |(x, z)| seen(self.ground.x + x, y, self.ground.z + z);
+            let is_inside = |at: f64, side: f64| (0.0..=side).contains(&at);
+            sides
                 .into_iter()
-                .all(|side| {
-                    let aside = TRUNK * side;
-                    let at = DVec3::new(self.ground.x + aside.x, y, self.ground.z + aside.y);
-                    let seen = camera.view.transform_point3(at);
-                    let at = camera.project(seen);
-                    seen.z > camera.near && at.cmpge(DVec2::ZERO).all() && at.cmple(size).all()
-                })
+                .all(|side| upright(side).is_some_and(|at| is_inside(at.y, size.y)))
+                && corners
+                    .into_iter()
+                    .all(|(x, z)| seen(x, y, z).is_some_and(|at| is_inside(at.x, size.x)))
         })
     }
 }

@@ -36,7 +36,7 @@ const REFERENCE_PIXELS: u64 = 1 << 27;
 
 /// A camera that does not hold everybody goes so much further away, so often at most.
 const FURTHER: f64 = 1.03;
-const STEPS: i32 = 40;
+const STEPS: i32 = 150;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -236,9 +236,10 @@ impl Shoot<'_> {
             return arguments.camera(framing, size);
         }
         let fov = arguments.fov.to_radians();
-        let nearest = Camera::standing_distance(framing.bounds, fov, size);
+        let one = places.first().map_or(bounds, |place| place.bounds);
+        let nearest = Camera::standing_distance(self::framing(self.avatar, one).bounds, fov, size);
         let mut camera = arguments.camera(framing, size)?;
-        // From above or below, heads and feet at the box's edges need more room.
+        // As near as for who stands in the middle, then as far as all of the places need.
         for step in 0..STEPS {
             arguments.distance = Some(nearest * FURTHER.powi(step));
             camera = arguments.camera(framing, size)?;

@@ -7,6 +7,8 @@
 
 pub use effigy_core::io::assumption;
 pub mod bvh;
+// A page draws from its own camera alone.
+#[cfg(not(target_arch = "wasm32"))]
 pub mod cameras;
 pub mod capture;
 pub mod content;
