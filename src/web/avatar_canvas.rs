@@ -516,6 +516,7 @@ impl AvatarCanvas {
             "joints": avatar.skeleton.name,
             "expression": avatar.inputs.expression,
             "bounds": [min.to_array(), max.to_array()],
+            "stands": !avatar.is_static(),
             "clips": clips,
         })
         .to_string()

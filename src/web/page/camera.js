@@ -35,12 +35,22 @@ export function radius([min, max] = DEFAULT_BOUNDS) {
   return Math.hypot(...max.map((high, axis) => high - min[axis])) / 2;
 }
 
-/** Target and distance from which all of a box is visible, from every side. */
-export function framing([min, max] = DEFAULT_BOUNDS, fov, aspect) {
+/** Radius of the cylinder around who stands, metres. */
+const PERSON = 0.57;
+
+/**
+ * Target and distance from which all of a box is visible, from every side; of who `stands` in it,
+ * head and feet: Camera::framing_distance and standing_distance in src/core/scene/camera.rs.
+ */
+export function framing([min, max] = DEFAULT_BOUNDS, fov, aspect, stands) {
   const half = max.map((high, axis) => (high - min[axis]) / 2);
   const radius = Math.hypot(half[0], half[2]);
   const slope = Math.tan(fov / 2);
-  const distance = 1.05 * Math.max(half[1] / slope, radius / (slope * aspect)) + radius;
+  const [tall, wide] = [(1.05 * half[1]) / slope, (1.05 * radius) / (slope * aspect)];
+  const person = Math.min(radius, PERSON);
+  const distance = stands
+    ? Math.max(Math.hypot(tall, person) + radius - person, Math.hypot(wide, radius))
+    : Math.max(tall, wide) + radius;
   return { target: min.map((low, axis) => low + half[axis]), distance };
 }
 

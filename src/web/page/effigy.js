@@ -325,6 +325,7 @@ export class Effigy extends EventTarget {
       this.#description.bounds,
       this.#camera.fov,
       this.#canvas.width / this.#canvas.height,
+      this.#description.stands,
     );
   }
 
