@@ -236,8 +236,9 @@ impl Shoot<'_> {
             return arguments.camera(framing, size);
         }
         let fov = arguments.fov.to_radians();
-        let one = places.first().map_or(bounds, |place| place.bounds);
-        let nearest = Camera::standing_distance(self::framing(self.avatar, one).bounds, fov, size);
+        let first = places.first().map_or(bounds, |place| place.bounds);
+        let first = self::framing(self.avatar, first).bounds;
+        let nearest = Camera::standing_distance(first, fov, size);
         let mut camera = arguments.camera(framing, size)?;
         // As near as for who stands in the middle, then as far as all of the places need.
         for step in 0..STEPS {

@@ -51,11 +51,6 @@ pub struct Options {
     pub rest: Rest,
 }
 
-/// Whether bytes begin as a binary FBX, or as the comment of one in text.
-pub fn is_fbx(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"Kaydara FBX Binary") || bytes.starts_with(b"; FBX")
-}
-
 /// Reads an animation.
 ///
 /// # Errors

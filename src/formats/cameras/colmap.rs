@@ -1,6 +1,6 @@
 //! COLMAP's text files: `cameras.txt` says how cameras see, `images.txt` where each image was taken.
 
-use super::opened::{KNOWN, OpenedCameras, bytes, content, distortion};
+use super::opened::{KNOWN, OpenedCameras, bytes, content, distortion, distorts};
 use effigy_core::io::{
     cameras::{PlacedCamera, cameras_of},
     file::{FileError, FormatError, excerpt},
@@ -13,8 +13,6 @@ use std::{
 
 /// Where a model's text files are in a folder.
 const FOLDERS: [&str; 3] = ["", "sparse/0", "sparse"];
-/// Distortions whose numbers add up to less are none.
-const NEGLIGIBLE: f64 = 1e-4;
 
 /// A model of COLMAP that is a pinhole, with or without distortion.
 struct Model {
@@ -210,7 +208,7 @@ fn lenses(text: &str) -> Result<BTreeMap<&str, Lens>, FormatError> {
             size: [seen[0], seen[1]],
             focal: [seen[2], seen[1 + focals]],
             center: [seen[2 + focals], seen[3 + focals]],
-            distorts: distortion.iter().map(|k| k.abs()).sum::<f64>() >= NEGLIGIBLE,
+            distorts: distorts(distortion),
         };
         lenses.insert(*id, lens);
     }

@@ -41,6 +41,12 @@ pub fn content(path: impl Into<PathBuf>, fault: FormatError) -> FileError {
     }
 }
 
+/// Whether coefficients of a lens distort: those that add up to next to nothing don't.
+pub fn distorts<'a>(coefficients: impl IntoIterator<Item = &'a f64>) -> bool {
+    let sum: f64 = coefficients.into_iter().map(|k| k.abs()).sum();
+    sum >= 1e-4
+}
+
 /// That lenses distort, which pictures that are drawn don't. None: none does.
 pub fn distortion(distorts: bool) -> Option<Assumption> {
     distorts.then(|| Assumption {

@@ -5,7 +5,7 @@
 //! `cx`, `cy`, px, or `camera_angle_x`, the horizontal field of view, radians, stands in a frame or
 //! once for all.
 
-use super::opened::{OpenedCameras, distortion, not_json};
+use super::opened::{OpenedCameras, distortion, distorts, not_json};
 use crate::{assumption::Assumption, json::bounded};
 use effigy_core::io::{
     cameras::{PlacedCamera, cameras_of},
@@ -27,8 +27,6 @@ const PINHOLES: [&str; 7] = [
 ];
 /// Sides of a picture of NeRF's synthetic scenes, px.
 const SYNTHETIC: f64 = 800.0;
-/// Distortions whose numbers add up to less are none.
-const NEGLIGIBLE: f64 = 1e-4;
 
 /// A frame's place.
 #[derive(Deserialize)]
@@ -101,7 +99,7 @@ impl Lens {
 
     fn distorts(&self) -> bool {
         let numbers = [self.k1, self.k2, self.k3, self.k4, self.p1, self.p2];
-        numbers.iter().flatten().map(|k| k.abs()).sum::<f64>() >= NEGLIGIBLE
+        distorts(numbers.iter().flatten())
     }
 
     /// The model's name where it is no pinhole.

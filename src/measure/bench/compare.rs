@@ -63,9 +63,7 @@ impl BenchNumber {
             finite(ratio).map_or(Change::None, Change::Ratio)
         }
     }
-}
 
-impl BenchNumber {
     /// Whether the second is better than the first; None where they are as good.
     pub fn is_better(&self) -> Option<bool> {
         is_better(&self.name, [self.a, self.b])
