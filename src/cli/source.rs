@@ -5,21 +5,17 @@ use crate::{files::print_assumptions, kept, options::named};
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
-    io::{ply::UP_COMMENT, splats::Up, text},
+    io::{splats::Up, text},
     scene::{AvatarBounds, Camera},
 };
 use effigy_formats::{
     cameras,
-    content::Content,
     open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
     retarget::{Correction, Report, RetargetOptions},
-    splats::SplatFormat,
     webavatar::Imported,
 };
 use std::{
     collections::BTreeMap,
-    fs::File,
-    io::Read,
     path::{Path, PathBuf},
     time::Instant,
 };
@@ -155,7 +151,6 @@ impl Source {
             Some(path) if open::is_checkpoint(path) || !open::is_motion(path) => {
                 let imported = self.read(path)?;
                 print_assumptions(path, &imported.assumptions);
-                hint_at_up(path, self.up);
                 imported.avatar
             }
             _ => self.project.apply(effigy_demo::avatar()?),
@@ -283,36 +278,6 @@ pub fn check_time(player: &Player, seconds: f64) {
             clip.name
         );
     }
-}
-
-/// Says which axis was taken for up where a file of splats names none.
-pub fn hint_at_up(path: &Path, up: Option<Up>) {
-    let Content::Splats(format) = open::content(path) else {
-        return;
-    };
-    let names_it = match format {
-        SplatFormat::Ply => ply_names_up(path),
-        SplatFormat::Spz | SplatFormat::Glb | SplatFormat::Gltf => true,
-        _ => false,
-    };
-    if up.is_none() && !names_it {
-        eprintln!(
-            "{} does not say which axis points up: -y is taken, as 3DGS trains (if it lies or stands \
-             on its head: --up y, --up z or --up -z)",
-            path.display()
-        );
-    }
-}
-
-/// Whether a .ply has the comment of the up axis.
-fn ply_names_up(path: &Path) -> bool {
-    /// Bytes of a header that has it near its start.
-    const START: u64 = 4096;
-    let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(START).read_to_end(&mut start));
-    let text = String::from_utf8_lossy(&start);
-    let header = text.split("end_header").next().unwrap_or_default();
-    read.is_ok() && header.contains(UP_COMMENT)
 }
 
 /// Refuses an avatar that stands still.

@@ -55,7 +55,10 @@ pub fn splats(source: Source, up: Option<Up>) -> Result<Found, FormatError> {
             _ => SplatFormat::Ply,
         };
         let mut found = splats::read(source.bytes, format, source.beside)?;
-        found.splats.up = up.unwrap_or(found.splats.up);
+        if let Some(up) = up {
+            found.splats.up = up;
+            found.assumptions.retain(|own| own.what != Up::QUESTION);
+        }
         Ok(found)
     })
 }

@@ -15,7 +15,7 @@ use crate::{
     files::print_assumptions,
     output::{IMAGE, Output},
     picture,
-    source::{CaptureArgs, avatar_to_move, hint_at_up, open_clip},
+    source::{CaptureArgs, avatar_to_move, open_clip},
     thumbnail::Thumbnails,
 };
 use anyhow::{Context, bail, ensure};
@@ -124,7 +124,6 @@ fn summarise(args: &Args, file: &Path) -> anyhow::Result<()> {
     if matches!(content, Content::Splats(_)) {
         let found = open::splats(file, None)?;
         print_assumptions(file, &found.assumptions);
-        hint_at_up(file, None);
         return print(&SplatsSummary::new(file, &found.splats), args.json);
     }
     if content.is_avatar() {

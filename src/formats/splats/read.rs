@@ -1,7 +1,7 @@
 //! One reader for all formats.
 
 use super::{Beside, Found, SplatFormat, antimatter, gltf, ksplat, sog, spz};
-use effigy_core::io::{file::FormatError, ply};
+use effigy_core::io::{file::FormatError, ply, splats::Up};
 
 /// Reads a file of a format, without the splats that can't be drawn; `beside` has the files that it
 /// refers to.
@@ -14,7 +14,7 @@ pub fn read(
     format: SplatFormat,
     beside: &mut dyn Beside,
 ) -> Result<Found, FormatError> {
-    let found: Found = match format {
+    let mut found: Found = match format {
         SplatFormat::Ply => ply::read(bytes)?,
         SplatFormat::Splat => antimatter::read(bytes)?.into(),
         SplatFormat::Spz => spz::read(bytes)?,
@@ -24,5 +24,16 @@ pub fn read(
         SplatFormat::Ksplat => ksplat::read(bytes)?.into(),
         SplatFormat::Glb | SplatFormat::Gltf => gltf::read(bytes, beside)?,
     };
+    match format {
+        // It says itself whether it names its axis.
+        SplatFormat::Ply => {}
+        // Their axis is the format's.
+        SplatFormat::Spz | SplatFormat::Glb | SplatFormat::Gltf => {}
+        SplatFormat::Splat
+        | SplatFormat::Sog
+        | SplatFormat::SogMeta
+        | SplatFormat::SogLod
+        | SplatFormat::Ksplat => found.assumptions.push(Up::assumed()),
+    }
     found.sound()
 }

@@ -1,7 +1,14 @@
 //! Columns of programs that grew from 3DGS: those that change what splats are, and those that are
 //! passed over.
 
-use effigy_core::{avatar::ShCoefficients, io::ply, io::splats::Found};
+use effigy_core::{
+    avatar::ShCoefficients,
+    io::{
+        assumption::Assumption,
+        ply,
+        splats::{Found, Up},
+    },
+};
 
 /// A column: its type in the header, its name and its numbers.
 #[derive(Clone)]
@@ -91,8 +98,14 @@ fn found(bytes: &[u8]) -> Found {
     ply::read(bytes).and_then(Found::sound).unwrap()
 }
 
+/// What is said of columns. No file here says which axis points up.
 fn said(found: &Found) -> String {
-    let lines: Vec<String> = found.assumptions.iter().map(ToString::to_string).collect();
+    let (up, own): (Vec<&Assumption>, Vec<&Assumption>) = found
+        .assumptions
+        .iter()
+        .partition(|own| own.what == Up::QUESTION);
+    assert_eq!(up, [&Up::assumed()]);
+    let lines: Vec<String> = own.iter().map(ToString::to_string).collect();
     lines.join("\n")
 }
 

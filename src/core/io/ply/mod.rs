@@ -7,5 +7,5 @@ mod plain;
 mod read;
 mod table;
 
-pub use header::UP_COMMENT;
+pub(crate) use header::UP_COMMENT;
 pub use read::{from_bytes, is_ply, open, read, starts_ply};

@@ -58,9 +58,13 @@ pub fn read(bytes: &[u8]) -> Result<Found, FormatError> {
     let header = header::parse(bytes)?;
     check_count(header.vertices.count)?;
     let up = header.up.unwrap_or(Up::TRAINED);
-    if compressed::is_compressed(&header) {
+    let mut found = if compressed::is_compressed(&header) {
         compressed::read(bytes, &header, up)
     } else {
         plain::read(&Table::new(bytes, &header, &header.vertices)?, up)
+    }?;
+    if header.up.is_none() {
+        found.assumptions.push(Up::assumed());
     }
+    Ok(found)
 }

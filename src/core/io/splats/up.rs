@@ -1,5 +1,6 @@
 //! The axis of a splat file that points up.
 
+use crate::io::assumption::Assumption;
 use glam::DQuat;
 use std::f64::consts::FRAC_PI_2;
 
@@ -19,6 +20,20 @@ pub enum Up {
 impl Up {
     /// The axis of 3DGS: its world is that of COLMAP's first camera, whose y points down.
     pub const TRAINED: Self = Self::MinusY;
+
+    /// What an assumption about it is called.
+    pub const QUESTION: &str = "axis that points up";
+
+    /// That [`Self::TRAINED`] was taken, since a file names no axis.
+    pub fn assumed() -> Assumption {
+        Assumption {
+            what: Self::QUESTION,
+            taken: "-y".into(),
+            because: "the file names none, and 3DGS trains so; if it lies or stands on its head: \
+                      --up y, --up z or --up -z"
+                .into(),
+        }
+    }
 
     /// The names that files and command lines give the axes, in the order of [`Self::ALL`].
     pub const NAMES: [&str; 4] = ["y", "-y", "z", "-z"];
