@@ -43,11 +43,8 @@ impl Content {
     /// What a file of these bytes is, or what is in it if it is packed. `name`: the file's, for
     /// content that tells nothing.
     pub fn of(bytes: &[u8], name: &Path) -> Self {
-        let source = Source {
-            bytes,
-            name,
-            beside: &mut Nothing,
-        };
+        let mut beside = Nothing;
+        let source = Source::new(bytes, name, &mut beside);
         let inside = source.start(|source| Ok(Self::of_unpacked(source.bytes, source.name)));
         inside.unwrap_or_else(|_| Self::of_unpacked(&[], name))
     }

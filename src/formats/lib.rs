@@ -2,8 +2,9 @@
 //! [`Avatar`](effigy_core::avatar::Avatar), and says what it had to assume; a writer gives files
 //! that those programs read.
 //!
-//! Readers hold against hostile input: an archive may not unpack to more than 16 times its size and
-//! 32 MB, nor a reader take more than four times what is unpacked and 64 MB, and every count is checked before memory is taken for it.
+//! Readers hold against hostile input: a file may not unpack to more than 16 times its size and 32 MB,
+//! archives in archives together, nor a reader take more than four times what is unpacked and 64 MB.
+//! Every count is checked before memory is taken for it.
 
 pub use effigy_core::io::assumption;
 pub mod bvh;
@@ -30,5 +31,6 @@ pub mod smpl;
 mod smpl_joints;
 pub mod source;
 pub mod splats;
+mod wanted;
 pub mod webavatar;
 mod zip_file;

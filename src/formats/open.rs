@@ -33,11 +33,7 @@ fn read_file<T>(
     read: impl FnOnce(Source) -> Result<T, FormatError>,
 ) -> Result<T, FileError> {
     read_with(path, |bytes| {
-        read(Source {
-            bytes,
-            name: path,
-            beside: &mut Folder::of(path),
-        })
+        read(Source::new(bytes, path, &mut Folder::of(path)))
     })
 }
 

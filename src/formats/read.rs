@@ -59,6 +59,7 @@ pub fn splats(source: Source, up: Option<Up>) -> Result<Found, FormatError> {
             found.splats.up = up;
             found.assumptions.retain(|own| own.what != Up::QUESTION);
         }
+        found.assumptions.splice(0..0, source.chosen);
         Ok(found)
     })
 }
@@ -188,11 +189,8 @@ const START: usize = 512;
 /// The error of a file that is no avatar or motion of Effigy's: what it seems to be, else what
 /// Effigy's own reader found.
 pub fn unknown(bytes: &[u8], own: FormatError) -> FormatError {
-    let source = Source {
-        bytes,
-        name: "unknown".as_ref(),
-        beside: &mut Nothing,
-    };
+    let mut beside = Nothing;
+    let source = Source::new(bytes, "unknown".as_ref(), &mut beside);
     let seems = source.start(|source| {
         let start = &source.bytes[..source.bytes.len().min(START)];
         Ok(guess::seems(start))

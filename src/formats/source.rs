@@ -2,16 +2,17 @@
 //! read, a byte order mark. Every reader of whole files starts here.
 
 use crate::{
+    assumption::Assumption,
     splats::{self, Archive, Beside},
+    wanted::{Chosen, Wanted},
     zip_file::{self, Member, is_zip},
 };
 use effigy_core::io::{
-    file::{FormatError, excerpt},
+    file::{self, FormatError, excerpt},
     text,
 };
 use flate2::read::GzDecoder;
 use std::{
-    ffi::OsStr,
     fmt::Display,
     io::{self, Read},
     path::Path,
@@ -23,13 +24,6 @@ const DEPTH: usize = 4;
 const SMALL: u64 = 32 << 20;
 /// Bytes that tell what a file is: the document of a glTF has to name its extensions within them.
 pub const START: usize = 4 << 20;
-/// Files that a sentence names, at most.
-const NAMED: usize = 6;
-/// Endings of files that are read.
-const READ: [&str; 20] = [
-    "ply", "splat", "spz", "sog", "ksplat", "glb", "gltf", "vrm", "vrma", "bvh", "fbx", "npz",
-    "npy", "pkl", "pt", "pth", "avatar", "motion", "gz", "zip",
-];
 
 /// Whether bytes begin as an archive does.
 pub fn is_packed(bytes: &[u8]) -> bool {
@@ -50,11 +44,14 @@ pub struct Source<'a> {
     pub name: &'a Path,
     /// Where the files are that it refers to.
     pub beside: &'a mut dyn Beside,
+    /// What was chosen of the archives that it was in.
+    pub(crate) chosen: Vec<Assumption>,
 }
 
-/// What may still be unpacked of a file.
+/// What may still be unpacked of a file, all its layers together.
 #[derive(Clone, Copy)]
 struct Budget {
+    wanted: Wanted,
     depth: usize,
     /// Bytes.
     left: u64,
@@ -62,7 +59,17 @@ struct Budget {
     start: bool,
 }
 
-impl Source<'_> {
+impl<'a> Source<'a> {
+    /// A file as it was found. See the fields.
+    pub fn new(bytes: &'a [u8], name: &'a Path, beside: &'a mut dyn Beside) -> Self {
+        Self {
+            bytes,
+            name,
+            beside,
+            chosen: vec![],
+        }
+    }
+
     /// What an avatar or a clip of the file is called.
     pub fn stem(&self) -> String {
         let stem = self.name.file_stem().unwrap_or_default();
@@ -70,7 +77,8 @@ impl Source<'_> {
     }
 
     /// Hands over what is in the file: itself where it is packed in nothing. At most
-    /// [`zip_file::MAX_GROWTH`] times its size is unpacked, or 32 MB.
+    /// [`zip_file::MAX_GROWTH`] times its size is unpacked, or 32 MB, by all its layers together: what
+    /// a reader then unpacks of an archive in an archive counts too.
     ///
     /// # Errors
     /// Those of `then`; or when an archive can't be read, unpacks to more, or has not one file in it
@@ -79,7 +87,20 @@ impl Source<'_> {
         self,
         then: impl FnOnce(Source) -> Result<T, FormatError>,
     ) -> Result<T, FormatError> {
-        let budget = Budget::of(&self, false);
+        let budget = Budget::of(&self, Wanted::Content, false);
+        unpack(self, budget, then)
+    }
+
+    /// As [`Self::inside`], of a file with cameras.
+    ///
+    /// # Errors
+    /// Those of [`Self::inside`].
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(crate) fn cameras<T>(
+        self,
+        then: impl FnOnce(Source) -> Result<T, FormatError>,
+    ) -> Result<T, FormatError> {
+        let budget = Budget::of(&self, Wanted::Cameras, false);
         unpack(self, budget, then)
     }
 
@@ -91,14 +112,15 @@ impl Source<'_> {
         self,
         then: impl FnOnce(Source) -> Result<T, FormatError>,
     ) -> Result<T, FormatError> {
-        let budget = Budget::of(&self, true);
+        let budget = Budget::of(&self, Wanted::Content, true);
         unpack(self, budget, then)
     }
 }
 
 impl Budget {
-    fn of(source: &Source, start: bool) -> Self {
+    fn of(source: &Source, wanted: Wanted, start: bool) -> Self {
         Self {
+            wanted,
             depth: DEPTH,
             left: zip_file::allowance(source.bytes, SMALL),
             start,
@@ -140,6 +162,36 @@ impl Budget {
         self.left -= (bytes.len() as u64).min(left);
         Ok(bytes)
     }
+
+    /// Refuses what its reader would unpack to more than is left. The reader's own limit follows from
+    /// the size of what it is given, which is enough for what was packed in nothing.
+    fn check_unpacked_again(&self, bytes: &[u8]) -> Result<(), FormatError> {
+        if self.start || self.depth == DEPTH {
+            return Ok(());
+        }
+        let size = unpacked_size(bytes);
+        let most = self.left.saturating_add(bytes.len() as u64);
+        if size <= most {
+            return Ok(());
+        }
+        Err(FormatError::container(
+            format!("{size} bytes in an archive in an archive"),
+            format!("at most {most} bytes: unpack the outer archive"),
+        ))
+    }
+}
+
+/// Bytes that the reader of a file unpacks it to, as the file says: no reader takes more. 0: it
+/// unpacks nothing, or can't be read.
+fn unpacked_size(bytes: &[u8]) -> u64 {
+    if is_zip(bytes) {
+        return zip_file::unpacked_size(bytes).unwrap_or(0);
+    }
+    if let Some(size) = splats::unpacked_spz(bytes) {
+        return size;
+    }
+    let tensors = file::tensors_of(bytes).unwrap_or_default();
+    tensors.iter().map(|tensor| tensor.bytes as u64).sum()
 }
 
 /// Bytes that a gzip unpacks to, as far as they are no more than `most`.
@@ -157,19 +209,22 @@ fn unpack<T>(
         bytes,
         name,
         beside,
+        mut chosen,
     } = source;
     let text = text::utf8(bytes);
     let bytes = &*text;
     let is_gzip = is_gzip(bytes) && !splats::is_packed_spz(bytes);
     let members = match is_zip(bytes) {
-        true => packed_members(bytes)?,
+        true => packed_members(bytes, budget.wanted)?,
         false => None,
     };
     if !is_gzip && members.is_none() {
+        budget.check_unpacked_again(bytes)?;
         return then(Source {
             bytes,
             name,
             beside,
+            chosen,
         });
     }
     budget.depth = budget.depth.checked_sub(1).ok_or_else(|| {
@@ -194,19 +249,18 @@ fn unpack<T>(
             bytes: &content,
             name,
             beside,
+            chosen,
         };
         return unpack(source, budget, then);
     };
-    let member = only(&members)?;
+    let Chosen { member, why } = budget.wanted.of(&members)?;
+    chosen.extend(why);
     let mut archive = zip_file::open(bytes).map_err(|error| unreadable(bytes, &error))?;
     let entry = archive.by_index(member.index);
     let entry = entry.map_err(|error| unreadable(bytes, &error))?;
     let size = entry.size();
     let content = budget.read(entry, |_| Ok(size), &format!("`{}`", excerpt(&member.name)))?;
-    // It is called as its archive is.
-    let mut named = name.file_stem().unwrap_or_default().to_owned();
-    named.push(".");
-    named.push(ending(&member.name).unwrap_or_default());
+    let named = budget.wanted.called(member, name);
     let folder = member
         .name
         .rsplit_once('/')
@@ -215,6 +269,7 @@ fn unpack<T>(
         bytes: &content,
         name: Path::new(&named),
         beside: &mut Archive::new(archive, folder, budget.left),
+        chosen,
     };
     unpack(source, budget, then)
 }
@@ -224,62 +279,51 @@ fn unreadable(bytes: &[u8], error: &zip::result::ZipError) -> FormatError {
 }
 
 /// The members of a zip that is only packing; None: some reader takes it whole.
-fn packed_members(bytes: &[u8]) -> Result<Option<Vec<Member>>, FormatError> {
+fn packed_members(bytes: &[u8], wanted: Wanted) -> Result<Option<Vec<Member>>, FormatError> {
     let members = zip_file::members(bytes).map_err(|error| unreadable(bytes, &error))?;
-    let is_read = |member: &Member| {
-        member.name.ends_with(".npy")
-            || member
-                .name
-                .split_once('/')
-                .is_some_and(|(_, name)| name == "data.pkl")
-    };
-    let is_known = splats::is_sog(&members) || members.iter().any(is_read);
-    Ok((!is_known).then_some(members))
+    Ok((!wanted.is_whole(&members)).then_some(members))
 }
 
-/// The ending of a name, in small letters.
-fn ending(name: &str) -> Option<String> {
-    let ending = Path::new(name).extension().and_then(OsStr::to_str)?;
-    Some(ending.to_ascii_lowercase())
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::splats::Nothing;
 
-/// The only file of an archive that is read.
-fn only(members: &[Member]) -> Result<&Member, FormatError> {
-    let ends = |member: &&Member, of: &[&str]| {
-        ending(&member.name).is_some_and(|ending| of.contains(&&*ending))
-    };
-    let mut read = members.iter().filter(|member| ends(member, &READ));
-    if let (Some(member), None) = (read.next(), read.next()) {
-        return Ok(member);
+    #[test]
+    fn what_a_reader_unpacks_is_known_beforehand() {
+        let spz = include_bytes!("../../tests/data/splats/small-2.spz");
+        let npz = include_bytes!("../../tests/data/webavatar/small.npz");
+        let mut whole = vec![];
+        GzDecoder::new(&spz[..]).read_to_end(&mut whole).unwrap();
+        assert_eq!(unpacked_size(spz), whole.len() as u64);
+        let arrays = crate::npz::members(npz, SMALL, |_| true).unwrap();
+        let arrays: usize = arrays.values().map(Vec::len).sum();
+        assert_eq!(unpacked_size(npz), arrays as u64);
+        let name = Path::new("a");
+        let imported = crate::read::avatar(
+            Source::new(npz, name, &mut Nothing),
+            &crate::read::OpenOptions::default(),
+        );
+        let avatar = imported.unwrap().avatar;
+        let tensors: usize = avatar.tensors().iter().map(|tensor| tensor.bytes).sum();
+        let plain = avatar.to_bytes().unwrap();
+        assert_eq!(unpacked_size(&plain), tensors as u64);
+        assert_eq!(unpacked_size(b"ply\n"), 0);
     }
-    let of_usd = members
-        .iter()
-        .any(|member| ends(&member, &["usd", "usda", "usdc"]));
-    let expected = if of_usd {
-        "another format than USD: convert it to .ply or glTF"
-    } else if members.iter().any(|member| ends(&member, &READ)) {
-        "one file that is read: unpack the zip and open one of them"
-    } else {
-        "a file in it that is read: splats, motion or an avatar"
-    };
-    // Those that could be meant first.
-    let mut named: Vec<&Member> = members.iter().collect();
-    named.sort_by_key(|member| !ends(member, &READ));
-    let mut names: Vec<String> = named
-        .iter()
-        .take(NAMED)
-        .map(|member| format!("`{}`", excerpt(&member.name)))
-        .collect();
-    if named.len() > NAMED {
-        names.push(format!("{} more", named.len() - NAMED));
+
+    #[test]
+    fn layers_share_what_may_be_unpacked() {
+        let npz = include_bytes!("../../tests/data/webavatar/small.npz");
+        let budget = |depth, left| Budget {
+            wanted: Wanted::Content,
+            depth,
+            left,
+            start: false,
+        };
+        let more = unpacked_size(npz) - npz.len() as u64;
+        assert!(budget(DEPTH, 0).check_unpacked_again(npz).is_ok());
+        assert!(budget(DEPTH - 1, more).check_unpacked_again(npz).is_ok());
+        let refused = budget(DEPTH - 1, more - 1).check_unpacked_again(npz);
+        assert!(refused.is_err_and(|error| error.to_string().contains("archive in an archive")));
     }
-    let names = if names.is_empty() {
-        "nothing".into()
-    } else {
-        names.join(", ")
-    };
-    Err(FormatError::container(
-        format!("a zip of {names}"),
-        expected,
-    ))
 }

@@ -77,6 +77,17 @@ pub fn members(bytes: &[u8]) -> ZipResult<Vec<Member>> {
     Ok(members)
 }
 
+/// Bytes of an archive's files together, unpacked, as its directory says.
+///
+/// # Errors
+/// When the bytes are no zip, or it has too many members.
+pub fn unpacked_size(bytes: &[u8]) -> ZipResult<u64> {
+    let mut archive = open(bytes)?;
+    (0..archive.len()).try_fold(0u64, |sum, index| {
+        Ok(sum.saturating_add(archive.by_index_raw(index)?.size()))
+    })
+}
+
 /// What a zip that can't be read is refused with. `expected`: what it would have been.
 pub fn unreadable(bytes: &[u8], error: &ZipError, expected: &str) -> FormatError {
     // Every zip ends with a record of this mark, and then a comment.

@@ -273,11 +273,8 @@ fn edited_files_of_every_kind() {
     ];
     fuzz("any", &corpus, &|bytes| {
         let name = Path::new("edited");
-        let source = Source {
-            bytes,
-            name,
-            beside: &mut Nothing,
-        };
+        let mut beside = Nothing;
+        let source = Source::new(bytes, name, &mut beside);
         if source.content().is_motion() {
             let captured = read::capture(source, &Default::default())?;
             retarget(&skeleton, &captured);

@@ -45,11 +45,8 @@ impl Scale {
 
 /// Reads a file of any kind.
 fn read(bytes: &[u8]) -> Result<(), FormatError> {
-    let source = Source {
-        bytes,
-        name: Path::new("large"),
-        beside: &mut Nothing,
-    };
+    let mut beside = Nothing;
+    let source = Source::new(bytes, Path::new("large"), &mut beside);
     if source.content().is_motion() {
         return read::capture(source, &Default::default()).map(drop);
     }

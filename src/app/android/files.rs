@@ -108,11 +108,8 @@ impl Files {
         let mut bytes = Vec::new();
         java::opened_file(&self.app)?.read_to_end(&mut bytes)?;
         let content = Content::of(&bytes, Path::new(OPENED));
-        let source = Source {
-            bytes: &bytes,
-            name: Path::new(OPENED),
-            beside: &mut Nothing,
-        };
+        let mut beside = Nothing;
+        let source = Source::new(&bytes, Path::new(OPENED), &mut beside);
         // Reading a checkpoint says what becomes an avatar of it.
         let (avatar, first) = if content.is_avatar() || content == Content::Checkpoint {
             let imported = read::avatar(source, &OpenOptions::default())?;

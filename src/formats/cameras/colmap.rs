@@ -1,9 +1,11 @@
 //! COLMAP's text files: `cameras.txt` says how cameras see, `images.txt` where each image was taken.
 
-use super::opened::{KNOWN, OpenedCameras, bytes, content, distortion, distorts};
+use super::opened::{KNOWN, OpenedCameras, content, distortion, distorts};
+use crate::source::Source;
 use effigy_core::io::{
     cameras::{PlacedCamera, cameras_of},
     file::{FileError, FormatError, excerpt},
+    text,
 };
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use std::{
@@ -82,49 +84,45 @@ struct Shot<'a> {
     name: String,
 }
 
-/// Reads the cameras of all images, in the order of their names. `path`: a folder with both files,
-/// or one of them. `world`: see [`super::read`].
+/// Reads the cameras of all images, in the order of their names. `source`: one of the two files.
+/// `world`: see [`super::read`].
 ///
 /// # Errors
-/// When one of the files is missing, or is not as COLMAP writes it, or a camera is no pinhole.
-pub fn read(path: &Path, world: DAffine3) -> Result<OpenedCameras, FileError> {
-    let (cameras, images) = if path.is_dir() {
-        let folder = folder(path)?;
-        (folder.join("cameras.txt"), folder.join("images.txt"))
+/// When the other file is missing, or one is not as COLMAP writes it, or a camera is no pinhole.
+pub fn read(source: Source, world: DAffine3) -> Result<OpenedCameras, FormatError> {
+    let own = utf8(source.bytes, source.name)?;
+    let is_lenses = lists_cameras(own);
+    let (found, other) = if is_lenses {
+        (
+            "how COLMAP's cameras see, and not where they are",
+            "images.txt",
+        )
+    } else if source.name.ends_with("images.txt") || shots(own).is_ok_and(|shots| !shots.is_empty())
+    {
+        (
+            "where COLMAP's images were taken, and not how its cameras see",
+            "cameras.txt",
+        )
     } else {
-        let text = text(path)?;
-        let (found, other) = if lists_cameras(&text) {
-            (
-                "how COLMAP's cameras see, and not where they are",
-                "images.txt",
-            )
-        } else if shots(&text).is_ok_and(|shots| !shots.is_empty()) {
-            (
-                "where COLMAP's images were taken, and not how its cameras see",
-                "cameras.txt",
-            )
-        } else {
-            return Err(content(path, FormatError::container("other text", KNOWN)));
-        };
-        let beside = path.with_file_name(other);
-        if !beside.is_file() {
-            let expected = format!("{other} beside it");
-            return Err(content(path, FormatError::container(found, expected)));
-        }
-        match other {
-            "images.txt" => (path.to_owned(), beside),
-            _ => (beside, path.to_owned()),
-        }
+        return Err(FormatError::container("other text", KNOWN));
     };
-    let (lens_text, shot_text) = (text(&cameras)?, text(&images)?);
-    let lenses = lenses(&lens_text).map_err(|fault| content(&cameras, fault))?;
-    let mut shots = shots(&shot_text).map_err(|fault| content(&images, fault))?;
+    let beside = source.beside.file(other, u64::MAX);
+    let beside = beside.map_err(|_| FormatError::container(found, format!("{other} beside it")))?;
+    let beside = text::utf8(&beside);
+    let beside = utf8(&beside, Path::new(other))?;
+    let (lenses_of, shots_of) = if is_lenses {
+        (own, beside)
+    } else {
+        (beside, own)
+    };
+    let lenses = lenses(lenses_of)?;
+    let mut shots = shots(shots_of)?;
     shots.sort_by(|a, b| a.name.cmp(&b.name));
-    opened(&lenses, &shots, world).map_err(|fault| content(&images, fault))
+    opened(&lenses, &shots, world)
 }
 
-/// The folder in `path` that has a model in text.
-fn folder(path: &Path) -> Result<PathBuf, FileError> {
+/// The `images.txt` of a folder that has a model in text, or of one in it.
+pub fn images_in(path: &Path) -> Result<PathBuf, FileError> {
     let folders = || FOLDERS.iter().map(|folder| path.join(folder));
     let has = |folder: &Path, ending: &str| {
         ["cameras", "images"]
@@ -132,7 +130,7 @@ fn folder(path: &Path) -> Result<PathBuf, FileError> {
             .all(|name| folder.join(format!("{name}.{ending}")).is_file())
     };
     if let Some(found) = folders().find(|folder| has(folder, "txt")) {
-        return Ok(found);
+        return Ok(found.join("images.txt"));
     }
     let found = if folders().any(|folder| has(&folder, "bin")) {
         "a folder with COLMAP's binary files"
@@ -145,18 +143,15 @@ fn folder(path: &Path) -> Result<PathBuf, FileError> {
 }
 
 /// A file's text.
-fn text(path: &Path) -> Result<String, FileError> {
-    String::from_utf8(bytes(path)?).map_err(|_| {
-        let is_binary = path.extension().is_some_and(|ending| ending == "bin");
-        let fault = if is_binary {
-            FormatError::container(
-                "no text",
-                "COLMAP's text files, which `colmap model_converter --output_type TXT` writes",
-            )
+fn utf8<'a>(bytes: &'a [u8], name: &Path) -> Result<&'a str, FormatError> {
+    std::str::from_utf8(bytes).map_err(|_| {
+        let is_binary = name.extension().is_some_and(|ending| ending == "bin");
+        let expected = if is_binary {
+            "COLMAP's text files, which `colmap model_converter --output_type TXT` writes"
         } else {
-            FormatError::container("no text", KNOWN)
+            KNOWN
         };
-        content(path, fault)
+        FormatError::container("no text", expected)
     })
 }
 

@@ -7,46 +7,56 @@ mod transforms;
 
 pub use opened::OpenedCameras;
 
+use crate::{source::Source, splats::Folder};
 use effigy_core::io::{
     cameras,
     file::{FileError, FormatError},
-    text,
 };
 use glam::DAffine3;
 use opened::{KNOWN, bytes, content, not_json};
 use serde::de::IgnoredAny;
 use std::{collections::BTreeMap, path::Path};
 
-/// Reads cameras from a file, or from a folder with COLMAP's text files. `world` leads from the
-/// file's axes to the world, see [`cameras::parse`].
+/// Reads cameras from a file, which may be packed, or from a folder with COLMAP's text files. `world`
+/// leads from the file's axes to the world, see [`cameras::parse`].
 ///
 /// # Errors
 /// When a file can't be read, is of no known kind, or has a camera that is no pinhole.
 pub fn read(path: &Path, world: DAffine3) -> Result<OpenedCameras, FileError> {
-    if path.is_dir() {
-        return colmap::read(path, world);
-    }
-    let bytes = bytes(path)?;
-    let text = text::utf8(&bytes);
-    let text = &*text;
+    let images;
+    let file = if path.is_dir() {
+        images = colmap::images_in(path)?;
+        &images
+    } else {
+        path
+    };
+    let bytes = bytes(file)?;
+    let mut beside = Folder::of(file);
+    let source = Source::new(&bytes, file, &mut beside);
+    let read = source.cameras(|source| unpacked(source, file, world));
+    read.map_err(|fault| content(file, fault))
+}
+
+/// Reads what is packed in nothing. `path`: of the file that was opened.
+fn unpacked(source: Source, path: &Path, world: DAffine3) -> Result<OpenedCameras, FormatError> {
+    let text = source.bytes;
     match text.trim_ascii_start().first() {
         Some(b'{') => {
-            let keys = keys(text).map_err(|fault| content(path, fault))?;
+            let keys = keys(text)?;
             if keys.contains_key("frames") {
-                return transforms::parse(text, path, world).map_err(|fault| content(path, fault));
+                return transforms::parse(text, path, world);
             }
             if !keys.contains_key("cameras") {
                 let names: Vec<_> = keys.keys().map(|key| format!("`{key}`")).collect();
                 let found = format!("a JSON object of {}", names.join(", "));
-                return Err(content(path, FormatError::container(found, KNOWN)));
+                return Err(FormatError::container(found, KNOWN));
             }
         }
         Some(b'[') => {}
-        _ => return colmap::read(path, world),
+        _ => return colmap::read(source, world),
     }
-    let cameras = cameras::parse(text, world).map_err(|fault| content(path, fault))?;
     Ok(OpenedCameras {
-        cameras,
+        cameras: cameras::parse(text, world)?,
         assumptions: vec![],
     })
 }

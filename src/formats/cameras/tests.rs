@@ -2,8 +2,13 @@
 
 use super::*;
 use effigy_core::scene::Camera;
+use flate2::{Compression, write::GzEncoder};
 use glam::{DVec2, DVec3};
-use std::fs;
+use std::{
+    fs,
+    io::{Cursor, Write},
+};
+use zip::{ZipWriter, write::SimpleFileOptions};
 
 /// One camera in each layout: 2.2 m before the origin on COLMAP's z, seen by 230 px, turned a
 /// quarter about its own axis, with the optical axis 6 and −5 px from the image's middle.
@@ -16,10 +21,7 @@ const TRANSFORMS: &str = r#"{"w": 192.0, "h": 160, "fl_x": 230, "fl_y": 240, "cx
     "transform_matrix": [[0, -1, 0, 0], [-1, 0, 0, 0], [0, 0, -1, -2.2], [0, 0, 0, 1]]}]}"#;
 
 fn read_text(name: &str, text: &str) -> Result<OpenedCameras, String> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join(name);
-    fs::write(&path, text).unwrap();
-    read(&path, DAffine3::IDENTITY).map_err(|error| error.to_string())
+    read_bytes(name, text.as_bytes())
 }
 
 fn read_colmap(cameras: &str, images: &str) -> Result<OpenedCameras, String> {
@@ -53,6 +55,119 @@ fn colmap_and_transforms_see_the_same() {
             panic!("{:?}", opened.assumptions)
         };
         assert_eq!(assumption.what, "distortion of the lens");
+    }
+}
+
+fn read_bytes(name: &str, bytes: &[u8]) -> Result<OpenedCameras, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    fs::write(&path, bytes).unwrap();
+    read(&path, DAffine3::IDENTITY).map_err(|error| error.to_string())
+}
+
+fn gzip(bytes: &[u8]) -> Vec<u8> {
+    let mut gzip = GzEncoder::new(vec![], Compression::fast());
+    gzip.write_all(bytes).unwrap();
+    gzip.finish().unwrap()
+}
+
+fn zip(members: &[(&str, &[u8])]) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(vec![]));
+    for (name, bytes) in members {
+        zip.start_file(*name, SimpleFileOptions::default()).unwrap();
+        zip.write_all(bytes).unwrap();
+    }
+    zip.finish().unwrap().into_inner()
+}
+
+/// UTF-16 with its mark, as PowerShell redirects text.
+fn utf16(text: &str) -> Vec<u8> {
+    let units = "\u{feff}".encode_utf16().chain(text.encode_utf16());
+    units.flat_map(u16::to_le_bytes).collect()
+}
+
+#[test]
+fn what_is_packed_sees_the_same() {
+    let plain = read_text("t.json", TRANSFORMS).unwrap();
+    let transforms = TRANSFORMS.as_bytes();
+    let [lenses, images] = [COLMAP_CAMERAS, COLMAP_IMAGES].map(str::as_bytes);
+    let litter: (&str, &[u8]) = ("scan/images/a.jpg", b"\xff\xd8");
+    let text = |encode: &dyn Fn(&str) -> Vec<u8>| {
+        zip(&[
+            ("sparse/0/cameras.txt", &encode(COLMAP_CAMERAS)),
+            ("sparse/0/images.txt", &encode(COLMAP_IMAGES)),
+            ("sparse/0/points3D.txt", b"# none\n"),
+        ])
+    };
+    let placed = br#"[{"width":192,"height":160,"position":[0,0,-2.2],
+        "rotation":[[0,1,0],[-1,0,0],[0,0,1]],"fx":230,"fy":240}]"#;
+    let cameras = read_bytes("cameras.json", placed).unwrap();
+    for (name, packed, expected) in [
+        ("t.json", utf16(TRANSFORMS), &plain),
+        ("t.json.gz", gzip(transforms), &plain),
+        ("t.json.gz", gzip(&utf16(TRANSFORMS)), &plain),
+        ("t.zip", zip(&[("scan/t.json", transforms), litter]), &plain),
+        (
+            "scan.zip",
+            zip(&[("t.json", transforms), ("a.ply", b"ply\n")]),
+            &plain,
+        ),
+        ("scan.zip", zip(&[("t.json.gz", &gzip(transforms))]), &plain),
+        (
+            "two.zip.gz",
+            gzip(&zip(&[("scan.zip", &zip(&[("t.json", transforms)]))])),
+            &plain,
+        ),
+        ("cameras.json.gz", gzip(placed), &cameras),
+        (
+            "scan.zip",
+            zip(&[("cameras.json", placed), ("cfg_args", b"x")]),
+            &cameras,
+        ),
+        // What other readers would take whole.
+        (
+            "scan.zip",
+            zip(&[("a/cameras.json", placed), ("poses.npy", b"x")]),
+            &cameras,
+        ),
+    ] {
+        assert_eq!(read_bytes(name, &packed).as_ref(), Ok(expected), "{name}");
+    }
+    let colmap = read_colmap(COLMAP_CAMERAS, COLMAP_IMAGES).unwrap();
+    let own = |text: &str| text.as_bytes().to_vec();
+    for packed in [text(&own), text(&utf16), gzip(&text(&own))] {
+        assert_eq!(read_bytes("colmap.zip", &packed).as_ref(), Ok(&colmap));
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for (name, bytes) in [
+        ("cameras.txt", utf16(COLMAP_CAMERAS)),
+        ("images.txt", utf16(COLMAP_IMAGES)),
+    ] {
+        fs::write(folder.path().join(name), bytes).unwrap();
+    }
+    assert_eq!(read(folder.path(), DAffine3::IDENTITY).unwrap(), colmap);
+    for (packed, expected) in [
+        (
+            zip(&[
+                ("a_train.json", transforms),
+                ("a_test.json", transforms),
+                litter,
+            ]),
+            "found a zip of `a_train.json`, `a_test.json`, `scan/images/a.jpg`, expected one file",
+        ),
+        (
+            zip(&[("0/cameras.bin", b"\x01"), ("0/images.bin", b"\x01")]),
+            "expected cameras.json, transforms.json or COLMAP's text files in it",
+        ),
+        (zip(&[("0/images.txt", images)]), "cameras.txt beside it"),
+        (
+            zip(&[("0/cameras.txt", lenses)]),
+            "COLMAP's text files in it",
+        ),
+        (gzip(b"hello"), "found other text"),
+    ] {
+        let error = read_bytes("scan.zip", &packed).unwrap_err();
+        assert!(error.contains(expected), "{error}");
     }
 }
 

@@ -33,5 +33,5 @@ pub use plausible::{BYTES_PER_SPLAT, SMALL};
 pub use read::read;
 pub use recognise::SplatFormat;
 pub(crate) use sog::is_sog;
-pub(crate) use spz::is_packed as is_packed_spz;
+pub(crate) use spz::{is_packed as is_packed_spz, unpacked_size as unpacked_spz};
 pub use write::{WRITTEN, write};

@@ -6,7 +6,11 @@ use super::{
     hostile::{gunzip, gzip},
 };
 use crate::memory;
-use effigy_core::{avatar::Avatar, glam::DAffine3, io::cameras};
+use effigy_core::{
+    avatar::Avatar,
+    glam::DAffine3,
+    io::{cameras, splats::Up},
+};
 use effigy_formats::{
     capture::Capture,
     content::Content,
@@ -27,11 +31,8 @@ enum Read {
 }
 
 fn read(bytes: &[u8], name: &str) -> Result<Read, String> {
-    let source = Source {
-        bytes,
-        name: Path::new(name),
-        beside: &mut Nothing,
-    };
+    let mut beside = Nothing;
+    let source = Source::new(bytes, Path::new(name), &mut beside);
     let read = if source.content().is_motion() {
         let captured = read::capture(source, &Default::default());
         captured.map(|captured| Read::Motion(captured.capture.into()))
@@ -276,7 +277,108 @@ fn bombs_are_refused() {
     }
 }
 
+/// An archive in an archive has no more room than the outermost, whatever its reader would let one of
+/// its size have.
+fn bombs_in_archives_are_refused() {
+    let zeros = vec![0; 80 << 20];
+    let padding = &zeros[..24 << 20];
+    // Of 24 MB that deflate to nothing, so that 16 times as much is in its reader's limit.
+    let padded = |name: &str, own: &str| {
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+        let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+        let deflated = SimpleFileOptions::default();
+        for (name, bytes, options) in [
+            (own, &b"{}"[..], stored),
+            ("pad.npy", padding, stored),
+            (name, &zeros, deflated),
+        ] {
+            writer.start_file(name, options).unwrap();
+            writer.write_all(bytes).unwrap();
+        }
+        writer.finish().unwrap().into_inner()
+    };
+    let motion = padded("poses.npy", "note");
+    let sog = padded("means_l.webp", "meta.json");
+    let model = padded("_xyz.npy", "note");
+    for bytes in [
+        zip(&[("a.npz", &motion)]),
+        gzip(&motion),
+        zip(&[("a.zip.gz", &gzip(&zip(&[("a.npz", &motion)])))]),
+        gzip(&zip(&[("a.sog", &sog)])),
+        gzip(&sog),
+        zip(&[("a.npz", &model)]),
+    ] {
+        assert!(bytes.len() < 1 << 20);
+        let (found, peak) = memory::peak(|| read(&bytes, "a").unwrap_err());
+        assert!(found.contains("in an archive in an archive"), "{found}");
+        assert!(peak < 68 << 20, "{peak} bytes");
+    }
+}
+
+/// Of 3DGS' output the last training is read, and that is said.
+fn of_iterations_in_a_zip_the_highest_is_read() {
+    let of = |iteration: u32| format!("out/point_cloud/iteration_{iteration}/point_cloud.ply");
+    let bytes = zip(&[
+        ("out/input.ply", b"ply\n"),
+        (&of(7000), b"ply\n"),
+        (&of(30000), TRUTH.bytes),
+        ("out/cameras.json", b"[]"),
+    ]);
+    let imported = |bytes: &[u8], up| {
+        let options = read::OpenOptions {
+            up,
+            ..Default::default()
+        };
+        read::avatar(
+            Source::new(bytes, Path::new("out.zip"), &mut Nothing),
+            &options,
+        )
+        .unwrap()
+    };
+    let plain = imported(TRUTH.bytes, None);
+    let found = imported(&bytes, None);
+    assert_eq!(found.avatar, plain.avatar);
+    let [ref chosen, ref rest @ ..] = found.assumptions[..] else {
+        panic!("nothing is said")
+    };
+    assert_eq!(rest, plain.assumptions);
+    let expected = format!(
+        "file of the zip: `{}` (of its 3 .ply it has the highest iteration)",
+        of(30000)
+    );
+    assert_eq!(chosen.to_string(), expected);
+}
+
+/// Which axis points up is asked where a file doesn't say it, packed or not.
+fn the_axis_that_is_named_is_no_question() {
+    let asks = |bytes: &[u8], up| {
+        let mut beside = Nothing;
+        let source = Source::new(bytes, Path::new("a"), &mut beside);
+        let found = read::splats(source, up).unwrap();
+        found.assumptions.iter().any(|own| own.what == Up::QUESTION)
+    };
+    let comment = b"ply\ncomment effigy up -z\n";
+    let named = [&comment[..], TRUTH.bytes.strip_prefix(b"ply\n").unwrap()].concat();
+    for (bytes, is_asked) in [
+        (TRUTH.bytes, true),
+        (&named, false),
+        (SPLAT.bytes, true),
+        (SOG_2.bytes, true),
+        (KSPLAT_1.bytes, true),
+        (SPZ_2.bytes, false),
+        (GLB.bytes, false),
+    ] {
+        for packed in [bytes.to_vec(), zip(&[("a.ply", bytes)]), gzip(&gzip(bytes))] {
+            assert_eq!(asks(&packed, None), is_asked);
+            assert!(!asks(&packed, Some(Up::Y)));
+        }
+    }
+}
+
 tests! {
+    bombs_in_archives_are_refused,
+    of_iterations_in_a_zip_the_highest_is_read,
+    the_axis_that_is_named_is_no_question,
     what_is_packed_reads_as_it_does_alone,
     marks_before_text_are_none_of_it,
     an_spz_without_its_gzip_is_read,

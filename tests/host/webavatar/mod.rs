@@ -195,11 +195,8 @@ fn what_the_format_cannot_hold_is_refused() {
 /// body with arms that are level follows them by its own bones.
 fn poses_are_taken_as_they_are_by_the_models_own_skeleton() {
     let clip = |skeleton: &Skeleton| {
-        let source = Source {
-            bytes: POSES,
-            name: "small_poses.json".as_ref(),
-            beside: &mut Nothing,
-        };
+        let mut beside = Nothing;
+        let source = Source::new(POSES, "small_poses.json".as_ref(), &mut beside);
         read::clip(source, skeleton, || None, &ClipOptions::default()).unwrap()
     };
     let own = small().avatar.skeleton;

@@ -101,6 +101,11 @@ impl Header {
         ]
     }
 
+    /// Bytes of all attributes.
+    fn total(&self) -> u64 {
+        self.widths().iter().map(|width| width * self.count).sum()
+    }
+
     /// Takes an unpacked file of versions 1 to 3 apart.
     fn split(self, whole: &[u8]) -> Result<Unpacked, FormatError> {
         let mut at = HEADER as u64;
@@ -145,6 +150,20 @@ pub fn is_packed(bytes: &[u8]) -> bool {
     read.is_ok() && start.starts_with(MAGIC) && (1..=3).contains(&u32_at(&start, 4))
 }
 
+/// Bytes that a file of any version unpacks to; None where it is none.
+pub fn unpacked_size(bytes: &[u8]) -> Option<u64> {
+    let start;
+    let header = if bytes.starts_with(MAGIC) {
+        bytes
+    } else {
+        let gzip = std::io::Read::take(GzDecoder::new(bytes), HEADER as u64);
+        start = limited(gzip, HEADER as u64).ok()?;
+        &start
+    };
+    let header = Header::read(header, bytes.len()).ok()?;
+    Some(HEADER as u64 + header.total())
+}
+
 /// Unpacks a file of any version. Those of versions 1 to 3 may have lost their gzip.
 ///
 /// # Errors
@@ -171,12 +190,7 @@ fn unpack_gzip(bytes: &[u8]) -> Result<Unpacked, FormatError> {
     if !(1..=3).contains(&header.version) {
         return Err(wrong_version(header.version, "1, 2 or 3 in a gzip"));
     }
-    let total: u64 = header
-        .widths()
-        .iter()
-        .map(|width| width * header.count)
-        .sum();
-    let most = HEADER as u64 + total + SLACK;
+    let most = HEADER as u64 + header.total() + SLACK;
     let whole = limited(GzDecoder::new(bytes), most).map_err(unreadable)?;
     header.split(&whole)
 }

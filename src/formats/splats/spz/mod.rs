@@ -19,6 +19,6 @@ mod container;
 mod read;
 mod write;
 
-pub use container::{MAGIC, is_packed};
+pub use container::{MAGIC, is_packed, unpacked_size};
 pub use read::read;
 pub use write::write;
