@@ -30,7 +30,8 @@ pub struct Capture {
     pub assumptions: Vec<Assumption>,
     /// What a look at some masks found.
     pub masks: MaskLook,
-    pub(crate) rule: MaskRule,
+    /// What the numbers in each camera's masks mean.
+    pub(crate) rules: Vec<MaskRule>,
     /// The files of each camera's picture of each frame: shape frames, cameras.
     pub(crate) files: Vec<Option<Files>>,
 }
@@ -85,7 +86,8 @@ impl Capture {
         let Some(files) = self.files_of(camera, frame) else {
             return Err(CaptureError::NoPicture { camera, frame });
         };
-        Picture::read(files, &self.cameras[camera], self.rule).map_err(|found| match found {
+        Picture::read(files, &self.cameras[camera], self.rules[camera]).map_err(|found| match found
+        {
             Fault::Picture(found) => fault(&files.picture, found),
             Fault::Mask(found) => fault(&files.mask, found),
         })

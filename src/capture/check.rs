@@ -54,7 +54,8 @@ impl Capture {
                 let files = self.files_of(camera, frame)?;
                 let own = &self.cameras[camera];
                 let colors = colors(&files.picture).and_then(|colors| colors.of(own, [0; 3]));
-                let mask = MaskFile::read(files).and_then(|file| file.mask(own, self.rule));
+                let mask =
+                    MaskFile::read(files).and_then(|file| file.mask(own, self.rules[camera]));
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
                 let leave_out = |file: &std::path::Path, reason| {
                     Some(LeftOut {

@@ -2,7 +2,7 @@
 //!
 //! A file may hold how much of each pixel is the person, an alpha channel, 0 and 1, the classes of a
 //! segmentation as numbers or colours. An alpha channel that is not the same everywhere is the mask,
-//! whatever else the file has. What the numbers mean in all other files of a capture is a [`MaskRule`].
+//! whatever else the file has. What the numbers mean in all other files of a camera is a [`MaskRule`].
 
 use crate::{
     calibration::CaptureCamera,
@@ -28,7 +28,7 @@ const COLORED: u8 = 32;
 /// Pixels of which one may be coloured in a mask that is grey.
 const GREY: usize = 1000;
 
-/// What the numbers in a capture's masks mean.
+/// What the numbers in a camera's masks mean.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MaskRule {
     /// Whatever is not 0 is the person. Else numbers say how much of a pixel is.
@@ -169,6 +169,20 @@ fn visible(decoded: Decoded) -> Result<(Place, Vec<u8>), FormatError> {
     let is_many = is_lossy || numbers.iter().any(many);
     let values = (!is_many).then_some(values);
     Ok((Place::Grey { values, full }, levels))
+}
+
+impl Place {
+    /// Whether numbers are there that could mean one thing or another.
+    pub fn tells(&self) -> bool {
+        match self {
+            Self::Alpha => false,
+            Self::Colors => true,
+            Self::Grey { values, .. } => {
+                let values = values.as_ref();
+                values.is_none_or(|values| values.iter().any(|value| *value > 0))
+            }
+        }
+    }
 }
 
 /// The values of masks in which whatever is not 0 is the person, in words: 0 and 1, or classes.

@@ -113,6 +113,7 @@ impl Capture {
                 }),
             }
         }
+        let rules = vec![MaskRule::default(); views.len()];
         let cameras = views
             .into_iter()
             .map(|view| CaptureCamera {
@@ -128,7 +129,7 @@ impl Capture {
             left_out,
             assumptions: poses.assumptions(&model.hands),
             masks: MaskLook::default(),
-            rule: MaskRule::default(),
+            rules,
             files,
         };
         let mut capture = capture.unless_empty()?;

@@ -159,6 +159,50 @@ fn masks_of_every_kind_show_the_same_person() {
             "inverted 0 and 1",
             with(Png, |_, own| own.grey(|is, _| u8::from(!is))),
         ),
+        (
+            "0 and 1 of one camera",
+            with(Png, |at, own| {
+                own.grey(|is, _| if at < 3 { u8::from(is) } else { byte(is) })
+            }),
+        ),
+        (
+            "classes of the other camera",
+            with(Png, |at, own| {
+                let class = 1 + (at % 19) as u8;
+                own.grey(|is, _| match (is, at < 3) {
+                    (true, true) => 255,
+                    (true, false) => class,
+                    (false, _) => 0,
+                })
+            }),
+        ),
+        (
+            "colours of one camera",
+            with(Png, |at, own| match at < 3 {
+                true => own.colors(|is, _, _| if is { [0, 85, 0] } else { [0; 3] }),
+                false => own.grey(|is, _| byte(is)),
+            }),
+        ),
+        (
+            "alpha of one camera, 0 and 1 of the other",
+            with(Png, |at, own| match at < 3 {
+                true => own.alpha(photograph),
+                false => own.grey(|is, _| u8::from(is)),
+            }),
+        ),
+        (
+            "inverted of one camera",
+            with(Png, |at, own| own.grey(|is, _| byte(is != (at < 3)))),
+        ),
+        (
+            "inverted of one camera, 0 and 1 of the other",
+            with(Png, |at, own| {
+                own.grey(|is, _| match at < 3 {
+                    true => byte(!is),
+                    false => u8::from(is),
+                })
+            }),
+        ),
     ];
     for (what, folder) in folders {
         let capture = Capture::read(folder.path()).unwrap();
@@ -205,6 +249,19 @@ fn pictures_may_have_the_mask_themselves() {
 }
 
 /// Masks that leave open who the person is are named, with what was found.
+/// A frame's wrong mask says nothing of its camera's others.
+fn one_inverted_mask_turns_no_others() {
+    let folder = with(ImageFormat::Png, |at, own| {
+        own.grey(|is, _| byte(is != (at == 1)))
+    });
+    let capture = Capture::read(folder.path()).unwrap();
+    assert_eq!(capture.assumptions, []);
+    let [ref fault] = capture.masks.faults[..] else {
+        panic!("{:?}", capture.masks)
+    };
+    assert!(matches!(fault.reason, Reason::InvertedMask), "{fault}");
+}
+
 fn masks_that_show_nobody_are_named() {
     use ImageFormat::{Jpeg, Png};
     let cases = [
@@ -287,6 +344,7 @@ fn noise_around_black_and_white_changes_nothing() {
 tests! {
     masks_of_every_kind_show_the_same_person,
     pictures_may_have_the_mask_themselves,
+    one_inverted_mask_turns_no_others,
     masks_that_show_nobody_are_named,
     noise_around_black_and_white_changes_nothing,
 }
