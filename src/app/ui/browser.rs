@@ -3,6 +3,7 @@
 use egui::{Align2, ScrollArea};
 use std::{
     cmp::Reverse,
+    ffi::{OsStr, OsString},
     fs, io,
     path::{Path, PathBuf},
 };
@@ -16,7 +17,8 @@ const ABOVE: &str = "..";
 /// A file or folder of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Entry {
-    name: String,
+    /// As the system has it, which may be no text.
+    name: OsString,
     is_folder: bool,
 }
 
@@ -29,8 +31,9 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// Lists a folder.
+    /// Lists a folder. That of a relative path is the one that it is now.
     pub fn new(folder: PathBuf) -> Self {
+        let folder = std::path::absolute(Path::new(".").join(&folder)).unwrap_or(folder);
         let entries = list(&folder).map_err(|error| error.to_string());
         Self { folder, entries }
     }
@@ -40,16 +43,17 @@ impl Browser {
         &self.folder
     }
 
-    /// Goes into a folder, or gives the path of a file.
-    fn choose(&mut self, name: &str, is_folder: bool) -> Option<PathBuf> {
-        if !is_folder {
-            return Some(self.folder.join(name));
-        }
-        let folder = match self.folder.parent() {
-            Some(parent) if name == ABOVE => parent.to_owned(),
-            _ => self.folder.join(name),
+    /// Goes into a folder, or gives the path of a file. Above the highest folder there is itself.
+    fn choose(&mut self, name: &OsStr, is_folder: bool) -> Option<PathBuf> {
+        let path = if name == ABOVE {
+            self.folder.parent().unwrap_or(&self.folder).to_owned()
+        } else {
+            self.folder.join(name)
         };
-        *self = Self::new(folder);
+        if !is_folder {
+            return Some(path);
+        }
+        *self = Self::new(path);
         None
     }
 
@@ -80,10 +84,10 @@ impl Browser {
                         for index in range {
                             let entry = index.checked_sub(1).and_then(|index| entries.get(index));
                             let (name, is_folder) =
-                                entry.map_or((ABOVE, true), |entry| (&entry.name, entry.is_folder));
+                                entry.map_or((OsStr::new(ABOVE), true), |e| (&e.name, e.is_folder));
                             let slash = if is_folder { "/" } else { "" };
                             if ui
-                                .selectable_label(false, format!("{name}{slash}"))
+                                .selectable_label(false, format!("{}{slash}", name.display()))
                                 .clicked()
                             {
                                 clicked = Some((name.to_owned(), is_folder));
@@ -100,13 +104,16 @@ fn list(folder: &Path) -> io::Result<Vec<Entry>> {
     let mut entries = vec![];
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if !name.starts_with('.') {
+        let name = entry.file_name();
+        if !name.as_encoded_bytes().starts_with(b".") {
             let is_folder = entry.path().is_dir();
             entries.push(Entry { name, is_folder });
         }
     }
-    entries.sort_by_cached_key(|entry| (Reverse(entry.is_folder), entry.name.to_lowercase()));
+    entries.sort_by_cached_key(|entry| {
+        let name = entry.name.to_string_lossy().to_lowercase();
+        (Reverse(entry.is_folder), name)
+    });
     Ok(entries)
 }
 
@@ -125,16 +132,49 @@ mod tests {
         let mut browser = Browser::new(folder.clone());
         let names = |browser: &Browser| -> Vec<String> {
             let entries = browser.entries.as_ref().expect("it can be listed");
-            entries.iter().map(|entry| entry.name.clone()).collect()
+            let name = |entry: &Entry| entry.name.display().to_string();
+            entries.iter().map(name).collect()
         };
         assert_eq!(names(&browser), ["z inside", "A.avatar", "b.ply"]);
-        assert_eq!(browser.choose("b.ply", false), Some(folder.join("b.ply")));
-        assert_eq!(browser.choose("z inside", true), None);
+        let mut choose = |name: &str, is_folder| browser.choose(name.as_ref(), is_folder);
+        assert_eq!(choose("b.ply", false), Some(folder.join("b.ply")));
+        assert_eq!(choose("z inside", true), None);
         assert_eq!(names(&browser), ["walk.bvh"]);
-        browser.choose(ABOVE, true);
+        browser.choose(ABOVE.as_ref(), true);
         assert_eq!(browser.folder(), folder);
-        browser.choose(ABOVE, true);
+        browser.choose(ABOVE.as_ref(), true);
         assert_eq!(names(&browser), ["scans"]);
+    }
+
+    /// Names that are no text, on systems that have them.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_file_is_opened_by_the_name_that_it_has() {
+        use std::os::unix::ffi::OsStrExt;
+        let root = tempfile::tempdir().expect("the system has a temporary folder");
+        let name = OsStr::from_bytes(b"K\xf6ln.ply");
+        fs::write(root.path().join(name), "splats").expect("it is writable");
+        let mut browser = Browser::new(root.path().into());
+        let entries = browser.entries.clone().expect("it can be listed");
+        let chosen = browser.choose(&entries[0].name, entries[0].is_folder);
+        let chosen = chosen.expect("it is a file");
+        assert_eq!(fs::read(chosen).expect("it is there"), b"splats");
+    }
+
+    #[test]
+    fn above_the_highest_folder_is_itself_and_above_a_relative_one_what_it_is_in() {
+        let root = Path::new("/").ancestors().last().map(Path::to_owned);
+        let mut browser = Browser::new(root.expect("there is a root"));
+        let highest = browser.folder().to_owned();
+        browser.choose(ABOVE.as_ref(), true);
+        assert_eq!(browser.folder(), highest);
+        let here = std::env::current_dir().expect("there is one");
+        let mut browser = Browser::new("".into());
+        browser.choose(ABOVE.as_ref(), true);
+        assert_eq!(Some(browser.folder()), here.parent());
+        let mut browser = Browser::new("src/ui".into());
+        browser.choose(ABOVE.as_ref(), true);
+        assert_eq!(browser.folder(), here.join("src"));
     }
 
     #[test]
