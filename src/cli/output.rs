@@ -72,12 +72,12 @@ impl Kind {
         let path = PathBuf::from(name);
         let shown = path.display();
         let natural = self.endings.first().copied().unwrap_or_default();
-        if path.as_os_str() == STDOUT {
+        if STDOUTS.iter().any(|name| path.as_os_str() == *name) {
             return if self.streams {
-                Ok(Output::new(path, natural))
+                Ok(Output::new(STDOUT.into(), natural))
             } else {
                 Err(format!(
-                    "`-` has no ending, and this file needs one: write {}",
+                    "`{shown}` has no ending, and this file needs one: write {}",
                     self.names("NAME")
                 ))
             };
@@ -132,8 +132,10 @@ pub struct Output {
     ending: &'static str,
 }
 
-/// The name of the standard output.
+/// The name of the standard output, and those that systems give it: under these it could be a file
+/// that others have written to as well, and would be replaced.
 const STDOUT: &str = "-";
+const STDOUTS: [&str; 4] = [STDOUT, "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
 impl Deref for Output {
     type Target = Path;
@@ -465,7 +467,10 @@ mod tests {
         }
         let shown = read(&SPLATS, "b/a.obj").unwrap_err();
         assert!(shown.contains("b/a.ply or b/a.spz"), "{shown}");
-        assert!(read(&AVATAR, "-").is_err_and(|error| error.contains("NAME.avatar")));
+        for name in STDOUTS {
+            assert!(read(&IMAGE, name).unwrap().is_stdout());
+            assert!(read(&AVATAR, name).is_err_and(|error| error.contains("NAME.avatar")));
+        }
         assert!(read(&IMAGE, "b/a.mov").is_err_and(|error| error.contains("b/a-%04d.png")));
     }
 

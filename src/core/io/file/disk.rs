@@ -65,11 +65,12 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 }
 
 /// Writes a file beside `path` and renames it, so that the target is either the old file or the
-/// whole new one. Links are followed and stay; what is no file, as `/dev/stdout`, is written to. What
-/// a program that was killed left of such a write is written over.
+/// whole new one. Links are followed and stay; what is no file, as a pipe, is written to. What a
+/// program that was killed left of such a write is written over.
 ///
 /// # Errors
-/// When the file cannot be written. A file that was at `path` is then unchanged.
+/// When the file cannot be written, or `path` is no name of it but what a program has open, as
+/// `/dev/stderr`. A file that was at `path` is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let Some(mut part) = Part::beside(path)? else {
         return fs::write(path, bytes);
@@ -93,12 +94,32 @@ pub fn check_writable(path: &Path) -> io::Result<()> {
     Part::beside(path).map(drop)
 }
 
+/// Links that lead to links, at most.
+const LINKS: usize = 40;
+
+/// Whether a path leads to what a program has open, as `/dev/stderr` and `/dev/fd/3` do: another
+/// program may go on writing to that.
+fn is_open_file(path: &Path) -> bool {
+    let mut path = path.to_owned();
+    for _ in 0..LINKS {
+        let above = path.parent().unwrap_or(Path::new(""));
+        let folder = fs::canonicalize(Path::new(".").join(above));
+        if folder.is_ok_and(|folder| folder.starts_with("/proc")) {
+            return true;
+        }
+        let Ok(to) = fs::read_link(&path) else {
+            return false;
+        };
+        path = above.join(to);
+    }
+    false
+}
+
 /// Where a file is, or would be: absolute, with every link followed.
 ///
 /// # Errors
 /// When its folder is missing, or links lead in a circle.
 pub fn place(path: &Path) -> io::Result<PathBuf> {
-    const LINKS: usize = 40;
     let mut path = path.to_owned();
     for _ in 0..LINKS {
         if let Ok(whole) = fs::canonicalize(&path) {
@@ -136,6 +157,11 @@ impl Part {
             return Err(io::Error::new(
                 io::ErrorKind::PermissionDenied,
                 "it is write-protected",
+            ));
+        }
+        if found.is_some() && is_open_file(path) {
+            return Err(io::Error::other(
+                "it is a file that a program has open: give the file's own name",
             ));
         }
         let target = place(path)?;
@@ -293,6 +319,36 @@ mod tests {
         }
         check_writable(Path::new("/dev/null")).unwrap();
         write_whole(Path::new("/dev/null"), b"gone").unwrap();
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_a_program_has_open_is_not_replaced() {
+        use std::os::fd::AsRawFd;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("log");
+        fs::write(&path, "old").unwrap();
+        let open = File::options().append(true).open(&path).unwrap();
+        let number = open.as_raw_fd();
+        let link = folder.path().join("link");
+        symlink(format!("/dev/fd/{number}"), &link).unwrap();
+        for name in ["/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"] {
+            let name = Path::new(name).join(number.to_string());
+            assert!(check_writable(&name).is_err(), "{name:?}");
+            assert!(write_whole(&name, b"new").is_err(), "{name:?}");
+        }
+        assert!(write_whole(&link, b"new").is_err());
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        // A pipe is written to.
+        let (mut from, to) = io::pipe().unwrap();
+        let pipe = PathBuf::from(format!("/dev/fd/{}", to.as_raw_fd()));
+        check_writable(&pipe).unwrap();
+        write_whole(&pipe, b"new").unwrap();
+        drop(to);
+        let mut read = String::new();
+        io::Read::read_to_string(&mut from, &mut read).unwrap();
+        assert_eq!(read, "new");
+        assert_eq!(names(folder.path()), 2);
     }
 
     #[test]
