@@ -241,7 +241,7 @@ fn imported(args: &Args) -> anyhow::Result<Avatar> {
         },
         up: args.up.up,
     };
-    let bar = progress::items(0, "file");
+    let bar = progress::open_ended();
     bar.set_message(format!("reading {}", args.file.display()));
     let mut imported = open::avatar(&args.file, &options)?;
     bar.finish_and_clear();

@@ -45,16 +45,31 @@ fn bar(
         let lines = ProgressDrawTarget::term_like(Box::new(Lines::default()));
         (lines, Duration::from_secs(1))
     };
-    let bar = ProgressBar::with_draw_target(Some(length), target).with_style(style);
+    // One of 0 would show a full bar.
+    let length = (length > 0).then_some(length);
+    let bar = ProgressBar::with_draw_target(length, target).with_style(style);
     // Time goes on while a step takes long.
     bar.enable_steady_tick(tick);
     bar
 }
 
-/// A bar over items of one kind, with the time that is left. A length of 0 is set later.
-pub fn items(length: u64, unit: &str) -> ProgressBar {
-    let rest = format!("{{pos}}/{{len}} {unit}{{left}} {{msg}}");
-    bar(length, 40, &rest, ProgressState::eta)
+/// A bar over items of one kind, with the time that is left. A length of 0 is set later: until then
+/// it shows its message alone.
+pub fn items(length: u64, unit: &'static str) -> ProgressBar {
+    let bar = bar(length, 40, "{done}{left} {msg}", ProgressState::eta);
+    let done = move |state: &ProgressState, to: &mut dyn Write| {
+        // A bar without it is no fault.
+        let _ = write_done(state.pos(), state.len(), unit, to);
+    };
+    let style = bar.style().with_key("done", done);
+    bar.with_style(style)
+}
+
+fn write_done(done: u64, all: Option<u64>, unit: &str, to: &mut dyn Write) -> std::fmt::Result {
+    match all {
+        None | Some(0) => Ok(()),
+        Some(all) => write!(to, "{done}/{all} {unit}"),
+    }
 }
 
 /// A bar over steps with names, with the time so far and what is left if the others take as long.
@@ -176,6 +191,18 @@ impl TermLike for Lines {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn how_much_is_done_is_shown_once_it_is_known() {
+        let shown = |done, all| {
+            let mut text = String::new();
+            write_done(done, all, "frames", &mut text).unwrap();
+            text
+        };
+        assert_eq!(shown(0, None), "");
+        assert_eq!(shown(3, Some(0)), "");
+        assert_eq!(shown(3, Some(12)), "3/12 frames");
+    }
 
     #[test]
     fn without_a_terminal_a_line_comes_now_and_then() {
