@@ -3,7 +3,8 @@
 use super::{
     FramePlan, RasterMethod, Skip,
     options::TileKernel,
-    passes::{ListForm, Pass, PipelineStages, Resource, Stage, Target},
+    passes::{ListForm, Pass, Stage, Target},
+    resource::{PipelineStages, Resource},
     state::Layer,
 };
 
