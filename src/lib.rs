@@ -60,9 +60,13 @@
 //!           ↓
 //!          sort       stable, far to near
 //!           ↓
-//!         binning     lists of splats by tile, for the compute rasterizer
+//!         binning     lists of splats by tile, or by bin
+//!           ↓
+//!        saturation   the depth behind which hardly anything shows, for quads
 //!           ↓
 //!         raster      quads through the blender, or tiles in a compute kernel
+//!           ↓
+//!         resolve     small avatars, drawn larger, averaged into the image
 //!           ↓
 //!         present     over the background, to a window or an image
 //! ```

@@ -1,5 +1,5 @@
-// The mirror of layout::Layer and layout::Frame, whose comments say what the members are.
-// tests/layout.rs compares the offsets. Macros in capitals come from layout::MACROS.
+// The mirror of layout::LayerLayout and layout::FrameBlock, whose comments say what the members are.
+// tests/host/layout.rs compares the offsets. Macros in capitals come from layout::MACROS.
 
 struct Layer {
     uint input_quads;

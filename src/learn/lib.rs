@@ -5,11 +5,13 @@
 //!                                                 └── pictures: a capture    ↓
 //!                   fit: stage by stage, train: networks and bases, prune: rows
 //!                                                                             ↓
-//!                                          analyse ── evaluate ←───────── avatar
+//!                                 analyse ── evaluate, score ←───────── avatar ──→ levels
 //! ```
 //!
-//! All of it runs on the CPU, parts in parallel. Results depend on the dataset, the options and the
-//! seed alone, on one kind of machine: not on the number of threads, and not on interruptions.
+//! [`distil`] makes an avatar of a checkpoint of another program instead. All of it runs on the CPU,
+//! parts in parallel; [`analyse`] alone times frames on a device. Results depend on the dataset, the
+//! options and the seed alone, on one kind of machine: not on the number of threads, and not on
+//! interruptions.
 
 pub mod analyse;
 pub mod bake;

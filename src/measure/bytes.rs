@@ -145,10 +145,15 @@ const NODE_START: Amount = Amount {
     stored: WORD,
     minimum: 0,
 };
-/// Bytes and operations of a Gaussian's colour from spherical harmonics: position and joints in,
-/// the colour out. Where the colour goes is up to the layout.
+/// A Gaussian's position, joints and nodes, which the colour from spherical harmonics needs too. At
+/// the minimum they are read once for both.
+const VIEWED_PLACE: Amount = Amount {
+    stored: 3 * PAIR,
+    minimum: 0,
+};
+/// That colour, which the layout hands from one stage to the next.
 const VIEW_COLOR: Amount = Amount {
-    stored: 2 * PAIR + PAIR,
+    stored: PAIR,
     minimum: 0,
 };
 /// A basis row's step and part, without its codes; of a colour the neutral colour too.
@@ -238,9 +243,13 @@ impl StageWork {
     }
 }
 
-/// Whether a stage runs once for all avatars and not once for each.
-pub fn runs_once_a_frame(stage: Stage) -> bool {
-    matches!(stage, Stage::Sort | Stage::Binning | Stage::Raster)
+/// What averages avatars that were drawn larger than they are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ResolveCounts {
+    /// Pixels that are averaged.
+    pub averaged: u64,
+    /// Pixels of the image that they are averaged into.
+    pub resolved: u64,
 }
 
 /// Counts that the work depends on besides the avatar.
@@ -258,8 +267,13 @@ pub struct WorkCounts {
     pub tile_head_bytes: u64,
     /// Pixels that were covered. None, if unknown, stands for the whole image; so for the next.
     pub covered: Option<u64>,
-    /// Pixels that were redrawn.
+    /// Pixels of the image that were redrawn.
     pub damaged: Option<u64>,
+    /// Pixels that splats were blended into: `damaged`, where no avatar is drawn larger than it is
+    /// shown.
+    pub rastered: Option<u64>,
+    /// None where no avatar is drawn larger than it is shown.
+    pub resolve: Option<ResolveCounts>,
     /// Fragments that were shaded, if known.
     pub fragments: Option<u64>,
 }
@@ -295,6 +309,9 @@ pub fn work_per_stage(
         }
     }
     stages.push(raster(options, counts));
+    if let Some(counted) = counts.resolve {
+        stages.push(resolve(options, counts, counted));
+    }
     stages
 }
 
@@ -386,7 +403,11 @@ fn mlp(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> StageW
 fn view_colors(avatar: &Avatar, counts: WorkCounts) -> StageWork {
     let all = avatar.gaussians.len() as u64;
     let coefficients = Amount::exact(layout::sh::bytes(avatar)).share(counts.gaussians, all);
-    let bytes = coefficients + VIEW_COLOR * counts.gaussians;
+    let displacements = Amount {
+        minimum: 0,
+        ..NODE_DISPLACEMENT * avatar.nodes.len() as u64
+    };
+    let bytes = coefficients + (VIEWED_PLACE + VIEW_COLOR) * counts.gaussians + displacements;
     StageWork::computing(Stage::Sh, bytes, coefficients)
 }
 
@@ -444,6 +465,7 @@ fn project(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> St
         + rows.bytes().share(drawn, all)
         + features(avatar)
         + NODE_DISPLACEMENT * avatar.nodes.len() as u64
+        + VIEW_COLOR * if avatar.sh.is_some() { drawn } else { 0 }
         + handed_on;
     let operations = PLACE_OPERATIONS * (gaussians - drawn)
         + SPLAT_OPERATIONS * drawn
@@ -560,8 +582,8 @@ fn saturation(options: &RendererOptions, counts: WorkCounts) -> StageWork {
 
 fn raster(options: &RendererOptions, counts: WorkCounts) -> StageWork {
     let [width, height] = options.size.map(u64::from);
-    let redrawn = counts.damaged.unwrap_or(width * height);
-    let covered = counts.covered.unwrap_or(redrawn);
+    let redrawn = counts.rastered.or(counts.damaged).unwrap_or(width * height);
+    let covered = counts.covered.unwrap_or(redrawn).min(redrawn);
     let pixel = options.color.unwrap_or_default().bytes() as u64;
     let splats = (SPLAT_INDEX + SPLAT) * counts.drawn;
     let by_tiles = options.method == Some(RasterMethod::Tiles);
@@ -581,11 +603,25 @@ fn raster(options: &RendererOptions, counts: WorkCounts) -> StageWork {
     }
 }
 
+/// Avatars that were drawn larger than they are shown: each of their pixels is read once, and their
+/// means are blended into the image.
+fn resolve(options: &RendererOptions, counts: WorkCounts, counted: ResolveCounts) -> StageWork {
+    let ResolveCounts { averaged, resolved } = counted;
+    let covered = counts.covered.unwrap_or(resolved).min(resolved);
+    let pixels = Amount {
+        stored: averaged + 2 * resolved,
+        minimum: share(averaged, covered, resolved) + covered,
+    };
+    let pixel = options.color.unwrap_or_default().bytes() as u64;
+    StageWork::moving(Stage::Resolve, pixels * pixel)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use effigy::vulkan::sort::KeyBits;
-    use effigy_core::io::pack::PackStep;
+    use effigy_core::{avatar::ShCoefficients, io::pack::PackStep};
+    use half::f16;
 
     fn demo() -> Avatar {
         effigy_demo::avatar().expect("the demo is built in")
@@ -608,17 +644,85 @@ mod tests {
                         pose_cached,
                         covered: Some(9000),
                         fragments: Some(100_000),
+                        resolve: Some(ResolveCounts {
+                            averaged: 40_000,
+                            resolved: 10_000,
+                        }),
                         ..WorkCounts::default()
                     };
                     for work in work_per_stage(&avatar, &options, counts) {
                         assert!(work.bytes_floor <= work.bytes, "{work:?}");
                         assert!(work.operations_floor <= work.operations, "{work:?}");
-                        let uncounted = [Stage::Sort, Stage::Raster].contains(&work.stage);
+                        let uncounted =
+                            [Stage::Sort, Stage::Raster, Stage::Resolve].contains(&work.stage);
                         assert!(uncounted || work.operations_floor > Some(0), "{work:?}");
                     }
                 }
             }
         }
+    }
+
+    /// A colour from spherical harmonics is written by one stage and read by the next, of what is
+    /// drawn alone.
+    #[test]
+    fn colours_from_harmonics_are_handed_on() {
+        let plain = demo();
+        let mut lit = plain.clone();
+        lit.sh = Some(ShCoefficients {
+            degree: 1,
+            coefficients: vec![[f16::ZERO; 3]; 3 * plain.gaussians.len()],
+        });
+        let counts = |drawn| WorkCounts {
+            gaussians: 1000,
+            drawn,
+            ..WorkCounts::default()
+        };
+        let options = RendererOptions::new([1, 1]);
+        let bytes = |avatar, drawn, stage| {
+            let work = work_per_stage(avatar, &options, counts(drawn));
+            let work = work.into_iter().find(|work| work.stage == stage);
+            work.map(|work| work.bytes)
+        };
+        for drawn in [0, 600] {
+            let [lit, plain] = [&lit, &plain].map(|avatar| bytes(avatar, drawn, Stage::Project));
+            assert_eq!(lit.unwrap() - plain.unwrap(), PAIR * drawn);
+        }
+        let coefficients = layout::sh::bytes(&lit) * 1000 / plain.gaussians.len() as u64;
+        let nodes = PAIR * plain.nodes.len() as u64;
+        let all = coefficients + 4 * PAIR * 1000 + nodes;
+        assert_eq!(bytes(&lit, 600, Stage::Sh), Some(all));
+        assert_eq!(bytes(&plain, 600, Stage::Sh), None);
+    }
+
+    /// An image that is drawn three times as large is read once, and blended where it is shown.
+    #[test]
+    fn enlarged_avatars_cost_their_pixels() {
+        let avatar = demo();
+        let options = RendererOptions::new([100, 100]);
+        let bytes = |counts, stage| {
+            let work = work_per_stage(&avatar, &options, counts);
+            let work = work.into_iter().find(|work| work.stage == stage);
+            work.map_or(0, |work| work.bytes)
+        };
+        let own = WorkCounts {
+            damaged: Some(400),
+            ..WorkCounts::default()
+        };
+        let enlarged = WorkCounts {
+            rastered: Some(4000),
+            resolve: Some(ResolveCounts {
+                averaged: 3600,
+                resolved: 400,
+            }),
+            ..own
+        };
+        let pixel = options.color.unwrap_or_default().bytes() as u64;
+        assert_eq!(bytes(enlarged, Stage::Resolve), (3600 + 2 * 400) * pixel);
+        assert_eq!(bytes(own, Stage::Resolve), 0);
+        assert_eq!(
+            bytes(enlarged, Stage::Raster),
+            10 * bytes(own, Stage::Raster)
+        );
     }
 
     #[test]

@@ -20,6 +20,7 @@
 //! | `renderer` | the frame |
 //! | [`trials`] | frames by which `tuning` measures |
 //! | `window` | from an image to a window or a screen in memory |
+//! | [`statistics`] | what a driver's compiler says of every shader |
 
 pub(crate) mod commands;
 pub mod compute;

@@ -16,6 +16,7 @@ mod flicker;
 mod fuzz;
 mod gltf_motion;
 mod governor;
+mod kernels;
 mod large;
 mod layout;
 mod learned;
@@ -75,6 +76,7 @@ fn main() -> ExitCode {
             gltf_motion,
             gltf_motion::hostile,
             governor,
+            kernels,
             layout,
             large,
             learned,

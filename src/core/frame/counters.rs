@@ -29,6 +29,16 @@ pub struct Counters {
     /// decide nothing. No count: reports don't have it.
     #[serde(skip)]
     pub longest_side: u64,
+    /// Pixels of the image that avatars are drawn into before they are averaged, gaps between them
+    /// included. Reports don't have this one, nor the next two.
+    #[serde(skip)]
+    pub atlas: u64,
+    /// Pixels that they are averaged into, those of each avatar's slot apart.
+    #[serde(skip)]
+    pub resolved: u64,
+    /// Pixels that are averaged.
+    #[serde(skip)]
+    pub averaged: u64,
     /// Gaussians that were not drawn: those of culled avatars, those that the level of detail
     /// skips, and those culled one by one.
     pub culled: u64,

@@ -59,9 +59,7 @@ impl Damage {
 
     /// Pixels of the rectangle.
     pub fn pixels(&self) -> u64 {
-        (0..2)
-            .map(|axis| u64::from(self.max[axis] - self.min[axis]))
-            .product()
+        self.rect().pixels()
     }
 
     /// Column and row of the first region of a side, px, and one past those of the last. The side

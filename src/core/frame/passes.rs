@@ -1,7 +1,10 @@
 //! The passes of a frame as data: what each does, and what it reads and writes on the device.
 
-use super::Skinning;
-use bitflags::bitflags;
+use super::{
+    Skinning,
+    kernels::{self, Access, KernelSpec},
+    resource::{PipelineStages, Resource},
+};
 
 /// A stage of a frame. Labels of GPU profilers, timestamps, reports and the overlay use its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,6 +43,11 @@ impl Stage {
         Self::Present,
     ];
 
+    /// Whether it runs for each avatar, and not for each image that avatars are drawn into.
+    pub const fn is_per_avatar(self) -> bool {
+        matches!(self, Self::Mlp | Self::Sh | Self::Project)
+    }
+
     /// Its name in reports, labels and the command line.
     pub const fn name(self) -> &'static str {
         match self {
@@ -53,72 +61,6 @@ impl Stage {
             Self::Resolve => "resolve",
             Self::Present => "present",
         }
-    }
-}
-
-/// Memory on the device that passes of a frame share.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Resource {
-    /// Number of keys, number of visible keys, and the indirect draw.
-    Control,
-    /// The sort's histograms, and why Gaussians were culled.
-    Counts,
-    /// Features and node displacements of every avatar.
-    Pose,
-    /// Colours of one avatar, from its spherical harmonics.
-    Colors,
-    /// Skinned Gaussians that only a camera's change reuses.
-    PoseCache,
-    /// Projected Gaussians and their depth keys.
-    Splats,
-    /// Indices of splats in drawing order.
-    Order,
-    /// Lists of splats by tile.
-    TileLists,
-    /// Lists of splats by bin.
-    Bins,
-    /// Samples of the saturation depth.
-    Saturation,
-    /// The image of avatars that are drawn larger than they are shown.
-    Atlas,
-    /// The image that the frame makes.
-    Image,
-}
-
-impl Resource {
-    /// Every resource.
-    pub const ALL: [Self; 12] = [
-        Self::Control,
-        Self::Counts,
-        Self::Pose,
-        Self::Colors,
-        Self::PoseCache,
-        Self::Splats,
-        Self::Order,
-        Self::TileLists,
-        Self::Bins,
-        Self::Saturation,
-        Self::Atlas,
-        Self::Image,
-    ];
-}
-
-bitflags! {
-    /// Where in a GPU's pipeline a pass uses memory.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub struct PipelineStages: u32 {
-        /// Copies and fills.
-        const TRANSFER = 1;
-        /// Compute shaders.
-        const COMPUTE = 2;
-        /// Vertex shaders.
-        const VERTEX = 4;
-        /// Arguments of an indirect draw.
-        const INDIRECT = 8;
-        /// Blending into the image.
-        const COLOR = 16;
-        /// Fragment shaders.
-        const FRAGMENT = 32;
     }
 }
 
@@ -142,16 +84,6 @@ pub enum ListForm {
     /// Lists of bins, which a sort of pairs of splats and bins makes: for GPUs
     /// (`shaders/common/bins.glsl`).
     Bins,
-}
-
-impl ListForm {
-    /// Where they are.
-    fn resource(self) -> Resource {
-        match self {
-            Self::Tiles => Resource::TileLists,
-            Self::Bins => Resource::Bins,
-        }
-    }
 }
 
 /// An image that a layer of avatars is drawn into.
@@ -269,10 +201,69 @@ impl Pass {
         }
     }
 
-    /// Every use that it makes of shared memory.
+    /// The kernels and shaders that it runs; of several that do the same, all.
+    fn kernels(&self) -> Vec<&'static KernelSpec> {
+        match *self {
+            Self::Mlp { .. } => vec![&kernels::MLP],
+            Self::Sh { .. } => vec![&kernels::SH],
+            Self::Project { skinning, .. } => vec![match skinning {
+                Skinning::Compute => &kernels::PROJECT,
+                Skinning::ComputeAndStore => &kernels::PROJECT_STORE,
+                Skinning::Cached => &kernels::PROJECT_CACHED,
+            }],
+            Self::Sort => vec![
+                &kernels::SORT_COUNT,
+                &kernels::SORT_PER_THREAD_COUNT,
+                &kernels::SORT_REDUCE,
+                &kernels::SORT_SCAN,
+                &kernels::SORT_SCATTER,
+                &kernels::SORT_COUNTING_SCATTER,
+            ],
+            Self::Binning { .. } => vec![&kernels::BINNING],
+            // The sort between them has keys, counts and a control of its own, all of them bins.
+            Self::Bin { .. } => vec![
+                &kernels::BIN_COUNT,
+                &kernels::BIN_SCAN,
+                &kernels::BIN_PAIRS,
+                &kernels::BIN_STARTS,
+            ],
+            Self::Saturation => vec![&kernels::SATURATION],
+            Self::RasterTiles { lists, .. } => vec![match lists {
+                ListForm::Tiles => &kernels::RASTER_TILES,
+                ListForm::Bins => &kernels::RASTER_BINS,
+            }],
+            Self::RasterQuads { tested: false, .. } => vec![&kernels::QUADS],
+            Self::RasterQuads { tested: true, .. } => {
+                vec![&kernels::QUADS_TESTED, &kernels::SATURATION_DEPTH]
+            }
+            Self::Resolve { .. } => vec![&kernels::RESOLVE],
+            Self::SetKeyCount { .. }
+            | Self::ClearCounts
+            | Self::ClearTileLists
+            | Self::KeepCounts
+            | Self::ReadCounts => Vec::new(),
+        }
+    }
+
+    /// Every use that it makes of memory: its kernels', and those of copies, fills and draws.
     pub fn uses(&self) -> Vec<Use> {
         use PipelineStages as Stages;
         use Resource::*;
+        let target = match *self {
+            Self::RasterTiles { target, .. } | Self::RasterQuads { target, .. } => target,
+            _ => Target::Image,
+        };
+        let mut uses = Vec::new();
+        for kernel in self.kernels() {
+            uses.extend(kernel.bindings.iter().map(|binding| Use {
+                resource: match binding.resource {
+                    Image => target.resource(),
+                    other => other,
+                },
+                stages: kernel.pipeline_stage(),
+                writes: binding.access.contains(Access::WRITE),
+            }));
+        }
         let read = |resource, stages| Use {
             resource,
             stages,
@@ -284,83 +275,71 @@ impl Pass {
             writes: true,
         };
         match *self {
-            Self::SetKeyCount { .. } => vec![write(Control, Stages::TRANSFER)],
+            Self::SetKeyCount { .. } => uses.push(write(Control, Stages::TRANSFER)),
             // What was culled is counted behind the splats, in the same buffer: validation tells
             // buffers apart, not places in them.
-            Self::ClearCounts => vec![
-                write(Counts, Stages::TRANSFER),
-                write(Splats, Stages::TRANSFER),
-            ],
-            Self::Mlp { .. } => vec![write(Pose, Stages::COMPUTE)],
-            Self::Sh { .. } => vec![read(Pose, Stages::COMPUTE), write(Colors, Stages::COMPUTE)],
-            Self::Project { skinning, .. } => {
-                let cache = match skinning {
-                    Skinning::Compute => None,
-                    Skinning::ComputeAndStore => Some(write(PoseCache, Stages::COMPUTE)),
-                    Skinning::Cached => Some(read(PoseCache, Stages::COMPUTE)),
-                };
-                let mut uses = vec![
-                    read(Pose, Stages::COMPUTE),
-                    read(Colors, Stages::COMPUTE),
-                    write(Counts, Stages::COMPUTE),
-                    write(Splats, Stages::COMPUTE),
-                ];
-                uses.extend(cache);
-                uses
+            Self::ClearCounts => {
+                uses.extend([Counts, Splats].map(|resource| write(resource, Stages::TRANSFER)))
             }
-            Self::Sort => vec![
-                read(Splats, Stages::COMPUTE),
-                write(Counts, Stages::COMPUTE),
-                write(Control, Stages::COMPUTE),
-                write(Order, Stages::COMPUTE),
-            ],
-            Self::ClearTileLists => vec![write(TileLists, Stages::TRANSFER)],
-            Self::Binning { .. } => vec![
-                read(Control, Stages::COMPUTE),
-                read(Order, Stages::COMPUTE),
-                read(Splats, Stages::COMPUTE),
-                write(TileLists, Stages::COMPUTE),
-            ],
-            Self::Bin { .. } => vec![
-                read(Order, Stages::COMPUTE),
-                read(Splats, Stages::COMPUTE),
-                write(Control, Stages::COMPUTE),
-                write(Bins, Stages::COMPUTE),
-            ],
-            Self::Saturation => vec![
-                write(Bins, Stages::COMPUTE),
-                read(Splats, Stages::COMPUTE),
-                write(Control, Stages::COMPUTE),
-                write(Saturation, Stages::COMPUTE),
-            ],
-            Self::RasterTiles { lists, target } => vec![
-                read(lists.resource(), Stages::COMPUTE),
-                read(Splats, Stages::COMPUTE),
-                write(Control, Stages::COMPUTE),
-                write(target.resource(), Stages::COMPUTE),
-            ],
-            Self::RasterQuads { tested, target } => {
-                let mut uses = vec![
-                    read(Control, Stages::INDIRECT | Stages::VERTEX),
-                    read(Order, Stages::VERTEX),
-                    read(Splats, Stages::VERTEX),
-                    write(target.resource(), Stages::COLOR),
-                ];
-                if tested {
-                    uses.push(read(Saturation, Stages::FRAGMENT));
-                    uses.push(read(Bins, Stages::VERTEX));
-                }
-                uses
+            Self::Bin { .. } => uses.push(write(Pairs, Stages::COMPUTE)),
+            Self::ClearTileLists => uses.push(write(TileLists, Stages::TRANSFER)),
+            Self::RasterQuads { .. } => uses.extend([
+                read(Control, Stages::INDIRECT),
+                write(target.resource(), Stages::COLOR),
+            ]),
+            Self::Resolve { .. } => uses.push(write(Image, Stages::COLOR)),
+            // Of the lists, how many blocks they asked for.
+            Self::KeepCounts | Self::ReadCounts => {
+                uses.extend(
+                    [Control, Counts, TileLists].map(|resource| read(resource, Stages::TRANSFER)),
+                );
             }
-            Self::Resolve { .. } => {
-                vec![read(Atlas, Stages::FRAGMENT), write(Image, Stages::COLOR)]
-            }
-            Self::KeepCounts | Self::ReadCounts => vec![
-                read(Control, Stages::TRANSFER),
-                read(Counts, Stages::TRANSFER),
-                // How many blocks the lists asked for.
-                read(TileLists, Stages::TRANSFER),
-            ],
+            _ => {}
+        }
+        uses
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::kernels::KERNELS;
+
+    #[test]
+    fn every_kernel_is_of_a_pass() {
+        let target = Target::Image;
+        let project = |skinning| Pass::Project {
+            instance: 0,
+            model: 0,
+            gaussians: 1,
+            skinning,
+        };
+        let passes = [
+            Pass::Mlp {
+                instance: 0,
+                parts: 1,
+            },
+            Pass::Sh {
+                instance: 0,
+                model: 0,
+                gaussians: 1,
+            },
+            project(Skinning::Compute),
+            project(Skinning::ComputeAndStore),
+            project(Skinning::Cached),
+            Pass::Sort,
+            Pass::Binning { target },
+            Pass::Bin { target },
+            Pass::Saturation,
+            Pass::Resolve { clear: true },
+        ];
+        let lists = [ListForm::Tiles, ListForm::Bins];
+        let tiles = lists.map(|lists| Pass::RasterTiles { lists, target });
+        let quads = [false, true].map(|tested| Pass::RasterQuads { tested, target });
+        let all = passes.iter().chain(&tiles).chain(&quads);
+        let run: Vec<_> = all.flat_map(Pass::kernels).collect();
+        for kernel in KERNELS {
+            assert!(run.contains(&kernel), "{kernel:?} is of no pass");
         }
     }
 }

@@ -3,7 +3,8 @@
 use super::{
     FramePlan, RasterMethod, Skip,
     options::TileKernel,
-    passes::{ListForm, Pass, PipelineStages, Resource, Stage, Target},
+    passes::{ListForm, Pass, Stage, Target},
+    resource::{PipelineStages, Resource},
     state::Layer,
 };
 
@@ -467,7 +468,10 @@ mod tests {
     use super::*;
     use crate::{
         avatar::{Avatar, Pose},
-        frame::{FrameState, PlanInput, RendererOptions, passes::Use, room::Room},
+        frame::{
+            Counters, FrameState, PlanInput, RendererOptions, StageDispatches, passes::Use,
+            room::Room,
+        },
         scene::{AvatarBounds, Camera, PartDependencies, Posed, Supersampling},
     };
     use glam::{DAffine3, DVec3};
@@ -482,6 +486,8 @@ mod tests {
         options: RendererOptions,
         state: FrameState,
         device_state: DeviceState,
+        /// Those of the last frame.
+        counters: Counters,
     }
 
     impl Planner {
@@ -498,6 +504,7 @@ mod tests {
                 },
                 state: FrameState::default(),
                 device_state: DeviceState::default(),
+                counters: Counters::default(),
             }
         }
 
@@ -526,6 +533,12 @@ mod tests {
                 always_submit: true,
             });
             let schedule = Schedule::new(&plan, equipment, self.device_state);
+            let dispatches = StageDispatches {
+                has_sh: equipment.sh,
+                sort: 0,
+                raster: 0,
+            };
+            self.counters = plan.counters(1 << 20, &dispatches);
             self.device_state.key_count = Some(schedule.key_count);
             schedule
         }
@@ -730,10 +743,18 @@ mod tests {
             assert_eq!((sorts(&both), resolves(&both)), (2, Some(false)));
             assert!(names(&both).ends_with(&["raster", "resolve"]));
             assert!(both.passes().any(|pass| *pass == Pass::KeepCounts));
+            let Counters {
+                atlas,
+                resolved,
+                averaged,
+                ..
+            } = planner.counters;
+            assert!(0 < resolved && resolved < averaged && averaged <= atlas + resolved);
             let small = planner.frame(&[gone.clone(), far], 0.0, &equipment);
             assert_eq!((sorts(&small), resolves(&small)), (1, Some(true)));
             let large = planner.frame(&[near, gone.clone()], 0.0, &equipment);
             assert_eq!((sorts(&large), resolves(&large)), (1, None));
+            assert_eq!([planner.counters.atlas, planner.counters.resolved], [0; 2]);
             let none = planner.frame(&[gone.clone(), gone], 0.0, &equipment);
             assert_eq!((sorts(&none), resolves(&none)), (0, None));
             for frame in [both, small, large, none] {
@@ -767,6 +788,28 @@ mod tests {
         assert!(small.skipped().any(|skipped| skipped == reason));
         let away = frame([2048, 2048], 1000.0);
         assert!(names(&away) == ["raster"] && !tests(&away));
+    }
+
+    /// What is counted as one avatar's work runs for each, anything else once.
+    #[test]
+    fn stages_run_once_or_for_each_avatar() {
+        for raster in every_raster() {
+            let mut planner = Planner::new(RendererOptions {
+                instances: 2,
+                ..RendererOptions::new([2048, 2048])
+            });
+            planner.options.size = [2048, 2048];
+            let poses = [-0.5, 0.5].map(|aside| planner.posed(0.1, aside));
+            let frame = planner.frame(&poses, 0.0, &Equipment { sh: true, ..raster });
+            assert_eq!(frame.skipped().count(), 0);
+            for stage in frame.stages().map(|stage| stage.stage) {
+                let runs = |pass: &&Pass| {
+                    pass.stage() == Some(stage) && !matches!(pass, Pass::ClearTileLists)
+                };
+                let expected = if stage.is_per_avatar() { 2 } else { 1 };
+                assert_eq!(frame.passes().filter(runs).count(), expected, "{stage:?}");
+            }
+        }
     }
 
     #[test]

@@ -522,6 +522,14 @@ impl<'a> FramePlan<'a> {
             // Project, and sh where colours depend on the view, run once an avatar.
             counters.dispatches += drawn * (1 + u64::from(stages.has_sh));
             counters.dispatches += stages.sort + stages.raster;
+            if let Some(atlas) = &self.atlas {
+                counters.atlas = PixelRect::whole(atlas.layer.size).pixels();
+                for slot in &atlas.slots {
+                    let shown = slot.shown(self.image.size).pixels();
+                    counters.resolved += shown;
+                    counters.averaged += (slot.factor.powi(2) * shown as f64).round() as u64;
+                }
+            }
         }
         counters
     }

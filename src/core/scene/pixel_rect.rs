@@ -32,6 +32,12 @@ impl PixelRect {
         !self.min.cmplt(self.max).all()
     }
 
+    /// How many pixels it has.
+    pub fn pixels(&self) -> u64 {
+        let size = self.max.saturating_sub(self.min);
+        u64::from(size.x) * u64::from(size.y)
+    }
+
     /// The smallest rectangle around both. Corners are merged whether or not either is empty:
     /// filter empty rectangles other than [`Self::EMPTY`] first.
     pub fn union(self, other: Self) -> Self {

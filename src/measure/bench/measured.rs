@@ -11,12 +11,12 @@ use super::{
     task::BenchTask,
 };
 use crate::{
-    bytes::{self, StageWork, WorkCounts},
+    bytes::{self, ResolveCounts, StageWork, WorkCounts},
     setting::RenderSetting,
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{FrameReport, passes::Stage, report::stage_ms},
+    frame::{Counters, FrameReport, passes::Stage, report::stage_ms},
 };
 use effigy_runtime::trace::Trace;
 use std::collections::BTreeMap;
@@ -162,22 +162,27 @@ impl MeasuredCase<'_> {
 
     /// The counts that the work depends on, of all avatars together.
     fn work_counts(&self) -> WorkCounts {
+        let reports = &self.samples.reports;
         let count = |name: &str| self.counter(name).map(|count| count.round() as u64);
         let covered = self.checked.covered.map(|covered| covered.round() as u64);
         WorkCounts {
             gaussians: count("gaussians").unwrap_or_default(),
             drawn: count("drawn").unwrap_or_default(),
-            networks: mean_networks(&self.samples.reports),
+            networks: mean_of(reports, |counters| counters.networks),
             pose_cached: count("cached") > Some(0),
             tile_head_bytes: self.tile_head_bytes,
             covered: count("covered").or(covered),
             damaged: count("damaged").filter(|&damaged| damaged > 0),
+            rastered: mean_of(reports, rastered),
+            resolve: mean_of(reports, |counters| counters.resolved).map(|resolved| ResolveCounts {
+                averaged: mean_of(reports, |counters| counters.averaged).unwrap_or_default(),
+                resolved,
+            }),
             fragments: count("fragments"),
         }
     }
 
-    /// The work of a frame. Sort, binning and raster run once for all avatars, the other stages
-    /// once for each avatar in view.
+    /// The work of a frame: of stages that run for each avatar, that of all in view.
     fn work(&self) -> Vec<StageWork> {
         let count = |name: &str| self.counter(name).unwrap_or_default();
         let avatars = count("avatars");
@@ -204,7 +209,7 @@ impl MeasuredCase<'_> {
         let mut work = bytes::work_per_stage(self.avatar, options, all);
         let work_of_one = bytes::work_per_stage(self.avatar, options, one);
         for (stage, stage_of_one) in work.iter_mut().zip(work_of_one) {
-            if !bytes::runs_once_a_frame(stage.stage) {
+            if stage.stage.is_per_avatar() {
                 *stage = stage_of_one.times(in_view);
             }
         }
@@ -236,11 +241,21 @@ pub fn counters(reports: &[FrameReport]) -> BTreeMap<String, f64> {
         .collect()
 }
 
-/// Mean number of networks in the frames in which some ran. None if none did.
-fn mean_networks(reports: &[FrameReport]) -> Option<u64> {
-    let networks = reports.iter().map(|report| report.counters.networks);
-    let ran: Vec<u64> = networks.filter(|&networks| networks > 0).collect();
-    (!ran.is_empty()).then(|| ran.iter().sum::<u64>() / ran.len() as u64)
+/// A count's mean over the frames in which it is not 0. None if it is in all.
+fn mean_of(reports: &[FrameReport], count: impl Fn(&Counters) -> u64) -> Option<u64> {
+    let counts = reports.iter().map(|report| count(&report.counters));
+    let counts: Vec<u64> = counts.filter(|&count| count > 0).collect();
+    (!counts.is_empty()).then(|| counts.iter().sum::<u64>() / counts.len() as u64)
+}
+
+/// Pixels that a frame blended splats into: the atlas, and the image if it has avatars of its own.
+fn rastered(counters: &Counters) -> u64 {
+    let in_view = counters.avatars - counters.avatars_culled;
+    if counters.supersampled > 0 && counters.supersampled == in_view {
+        counters.atlas
+    } else {
+        counters.atlas + counters.damaged
+    }
 }
 
 /// The stages that ran in some frame or have work, in the order of a frame.

@@ -4,9 +4,9 @@
 use super::model::Model;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
-    memory::Slice,
-    pipeline::{Kernel, Launch, Resources, shaders},
+    pipeline::{FrameMemory, Kernel, Launch, shaders},
 };
+use effigy_core::frame::{kernels, resource::Resource};
 use std::sync::Arc;
 
 /// The kernel of the stage, bound to a model's networks and nodes.
@@ -15,32 +15,25 @@ pub struct Mlp {
 }
 
 impl Mlp {
-    /// Writes to `pose`: features, then nodes in the order of their parts. `launch`: whether f16 is
-    /// read as words.
+    /// Writes features, then nodes in the order of their parts. `launch`: whether f16 is read as
+    /// words.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         model: &Model,
-        frame: Slice,
-        pose: Slice,
+        memory: &FrameMemory,
         launch: Launch,
     ) -> Result<Self> {
-        let resources = Resources {
-            uniform: Some(frame),
-            storage: &[
-                (&model.networks).into(),
-                (&model.nodes).into(),
-                (&model.node_starts).into(),
-                pose,
-            ],
-            image: None,
-        };
+        let memory = memory
+            .with(Resource::Networks, &model.networks)
+            .with(Resource::Nodes, &model.nodes)
+            .with(Resource::NodeStarts, &model.node_starts);
         let module = if model.networks_in_bytes {
             &shaders::MLP_BYTES
         } else {
             &shaders::MLP
         };
         Ok(Self {
-            kernel: Kernel::new(gpu, module, &[], resources, launch)?,
+            kernel: Kernel::of_frame(gpu, &kernels::MLP, module, &[], &memory, launch)?,
         })
     }
 

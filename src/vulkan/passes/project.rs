@@ -10,12 +10,17 @@ use crate::vulkan::{
     commands::control::REASONS,
     device::{error::Result, gpu::Gpu, recording::Recording},
     memory::{Buffer, Replacement, Slice},
-    pipeline::{Kernel, Launch, Resources, shaders},
+    pipeline::{FrameMemory, Kernel, Launch, shaders},
     sort::counts_size,
 };
 use ash::vk;
 use effigy_core::{
-    frame::{KeyBits, RendererOptions, Skinning, Skip, SortVariant, room::Room},
+    frame::{
+        KeyBits, RendererOptions, Skinning, Skip, SortVariant,
+        kernels::{self, KernelSpec},
+        resource::Resource,
+        room::Room,
+    },
     layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP, widened_key},
 };
 use gpu_allocator::MemoryLocation;
@@ -89,13 +94,12 @@ impl SplatBufferLayout {
 }
 
 impl Project {
-    /// Reads the output of the `mlp` stage in `pose`. [`Skip::SKINNING`] in `options` says whether
+    /// Reads the output of the `mlp` stage. [`Skip::SKINNING`] in `options` says whether
     /// frames in which only the camera moved use the pose cache.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         model: &Model,
-        frame: Slice,
-        pose: Slice,
+        memory: &FrameMemory,
         variant: SortVariant,
         options: &RendererOptions,
         room: Room,
@@ -112,32 +116,25 @@ impl Project {
         let buffer = splat_buffer(gpu, layout.posed)?;
         let workgroup = options.workgroup.unwrap_or(PROJECT_WORKGROUP);
         let halves = u32::from(options.keys().halves());
-        let kernel = |module, stores: u32, storage: &[Slice]| {
-            let resources = Resources {
-                uniform: Some(frame),
-                storage,
-                image: None,
-            };
-            let constants = [stores, counting[0], counting[1], workgroup, halves];
-            Kernel::new(gpu, module, &constants, resources, Launch::default())
-        };
         let set = |set: &GaussianSet| -> Result<SetKernels> {
-            let all = [
-                (&set.gaussians).into(),
-                (&set.rows).into(),
-                pose,
-                (&buffer).into(),
-            ];
+            let memory = memory
+                .with(Resource::Gaussians, &set.gaussians)
+                .with(Resource::Rows, &set.rows)
+                .with(Resource::Splats, &buffer);
+            let kernel = |spec: &KernelSpec, module, stores: u32| {
+                let constants = [stores, counting[0], counting[1], workgroup, halves];
+                Kernel::of_frame(gpu, spec, module, &constants, &memory, Launch::default())
+            };
             let caching = if caches {
                 Some(Caching {
-                    store: kernel(&shaders::PROJECT, 1, &all)?,
-                    cached: kernel(&shaders::PROJECT_CACHED, 0, &all[3..])?,
+                    store: kernel(&kernels::PROJECT_STORE, &shaders::PROJECT, 1)?,
+                    cached: kernel(&kernels::PROJECT_CACHED, &shaders::PROJECT_CACHED, 0)?,
                 })
             } else {
                 None
             };
             Ok(SetKernels {
-                compute: kernel(&shaders::PROJECT, 0, &all)?,
+                compute: kernel(&kernels::PROJECT, &shaders::PROJECT, 0)?,
                 caching,
             })
         };

@@ -4,13 +4,14 @@
 use super::model::GaussianSet;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
-    memory::{Buffer, Slice},
-    pipeline::{Kernel, Launch, Resources, shaders},
+    memory::Buffer,
+    pipeline::{FrameMemory, Kernel, Launch, shaders},
 };
 use ash::vk;
 use bytemuck::cast_slice;
 use effigy_core::{
     avatar::Avatar,
+    frame::{kernels, resource::Resource},
     layout::{
         SH_WORKGROUP,
         sh::{SPLIT, groups, planes},
@@ -26,15 +27,13 @@ pub struct SphericalHarmonics {
 }
 
 impl SphericalHarmonics {
-    /// Writes to the colours in `set`, the avatar's Gaussians, reads the nodes in `pose`. None for an
-    /// avatar without harmonics.
+    /// Writes to the colours in `set`, the avatar's Gaussians. None for an avatar without harmonics.
     /// `launch`: whether f16 is read as words.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
         set: &GaussianSet,
-        frame: Slice,
-        pose: Slice,
+        memory: &FrameMemory,
         launch: Launch,
     ) -> Result<Option<Self>> {
         let Some(coefficients) = &avatar.sh else {
@@ -51,13 +50,12 @@ impl SphericalHarmonics {
         };
         let low = buffer("low harmonics", 0..groups.min(SPLIT))?;
         let high = buffer("high harmonics", SPLIT..groups.max(SPLIT))?;
-        let resources = Resources {
-            uniform: Some(frame),
-            storage: &[(&set.gaussians).into(), (&low).into(), (&high).into(), pose],
-            image: None,
-        };
+        let memory = memory
+            .with(Resource::Gaussians, &set.gaussians)
+            .with(Resource::LowHarmonics, &low)
+            .with(Resource::HighHarmonics, &high);
         let degree = [coefficients.degree as u32];
-        let kernel = Kernel::new(gpu, &shaders::SH, &degree, resources, launch)?;
+        let kernel = Kernel::of_frame(gpu, &kernels::SH, &shaders::SH, &degree, &memory, launch)?;
         Ok(Some(Self {
             kernel,
             _coefficients: [low, high],

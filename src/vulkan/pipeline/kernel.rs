@@ -1,6 +1,7 @@
 //! Compute kernels with their descriptor sets.
 
 use super::{
+    FrameMemory,
     bindings::{Bindings, Resources},
     module::{flags, list, shader_module, specialization_entries, take_over},
     shaders::Module,
@@ -17,6 +18,7 @@ use crate::vulkan::{
 };
 use ash::vk;
 use bytemuck::cast_slice;
+use effigy_core::frame::kernels::KernelSpec;
 use std::sync::Arc;
 
 /// What a kernel's pipeline is asked for besides its code.
@@ -58,6 +60,21 @@ impl Kernel {
             module,
             pipeline,
             bindings,
+        })
+    }
+
+    /// A kernel of a frame: it binds what its row says. `module`: one of the row's.
+    pub(crate) fn of_frame(
+        gpu: &Arc<Gpu>,
+        spec: &KernelSpec,
+        module: &'static Module,
+        constants: &[u32],
+        memory: &FrameMemory,
+        launch: Launch,
+    ) -> Result<Self> {
+        debug_assert!(spec.modules.contains(&module.file));
+        memory.bound(spec, |resources| {
+            Self::new(gpu, module, constants, resources, launch)
         })
     }
 

@@ -2,6 +2,7 @@
 //! pipelines.
 
 pub(crate) mod bindings;
+mod frame_memory;
 pub(crate) mod graphics;
 mod kernel;
 mod module;
@@ -9,4 +10,5 @@ pub(crate) mod set;
 pub mod shaders;
 
 pub use bindings::{BoundImage, Resources};
+pub(crate) use frame_memory::FrameMemory;
 pub use kernel::{Kernel, Launch};

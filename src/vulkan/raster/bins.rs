@@ -10,14 +10,18 @@ use crate::vulkan::{
     },
     memory::{Buffer, Replacement, Scope, Slice},
     pipeline::{
-        Kernel, Launch, Resources,
+        FrameMemory, Kernel, Launch,
         shaders::{self, Module},
     },
     sort::{Sort, SortOptions},
 };
 use ash::vk;
 use effigy_core::{
-    frame::KeyBits,
+    frame::{
+        KeyBits,
+        kernels::{self, KernelSpec},
+        resource::Resource,
+    },
     layout::{BIN_BLOCK, BIN_WORKGROUP, BinLayout, BinLists, Control, bin_count},
 };
 use gpu_allocator::MemoryLocation;
@@ -35,7 +39,7 @@ pub struct Bins {
 }
 
 impl Bins {
-    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs) -> Result<Self> {
+    pub(crate) fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs) -> Result<Self> {
         let layout = BinLayout::new(inputs.capacity);
         let limit = gpu.probe.limits.max_compute_work_group_count[0];
         if layout.blocks > limit {
@@ -64,20 +68,15 @@ impl Bins {
         // the keys have room for all pairs.
         let sort = unsafe { Sort::new(gpu, keys, &buffer, layout.pairs, options) }?;
         let constants = constants_of(&layout, [0; 3]);
-        let kernel = |module: &'static Module, storage: &[Slice]| {
-            let resources = Resources {
-                uniform: Some(inputs.frame),
-                storage,
-                image: None,
-            };
-            Kernel::new(gpu, module, &constants, resources, Launch::default())
+        let memory = with_lists(&inputs.memory, &sort, &buffer);
+        let kernel = |spec: &KernelSpec, module: &'static Module| {
+            Kernel::of_frame(gpu, spec, module, &constants, &memory, Launch::default())
         };
-        let all = [inputs.order, inputs.splats, inputs.control, bins];
         Ok(Self {
-            count: kernel(&shaders::BINNING_COUNT, &all)?,
-            scan: kernel(&shaders::BINNING_SCAN, &all[2..])?,
-            pairs: kernel(&shaders::BINNING_PAIRS, &all)?,
-            starts: kernel(&shaders::BINNING_STARTS, &[sort.order(), bins])?,
+            count: kernel(&kernels::BIN_COUNT, &shaders::BINNING_COUNT)?,
+            scan: kernel(&kernels::BIN_SCAN, &shaders::BINNING_SCAN)?,
+            pairs: kernel(&kernels::BIN_PAIRS, &shaders::BINNING_PAIRS)?,
+            starts: kernel(&kernels::BIN_STARTS, &shaders::BINNING_STARTS)?,
             sort,
             layout,
             buffer,
@@ -101,9 +100,9 @@ impl Bins {
         constants_of(&self.layout, own)
     }
 
-    /// The pairs in the order of bins, and the buffer with everything else.
-    pub fn storage(&self) -> [Slice; 2] {
-        [self.sort.order(), (&self.buffer).into()]
+    /// This memory, and the lists.
+    pub(crate) fn add_to(&self, memory: &FrameMemory) -> FrameMemory {
+        with_lists(memory, &self.sort, &self.buffer)
     }
 
     /// Dispatches of a frame.
@@ -136,6 +135,13 @@ impl Bins {
         let sorted = self.sort.download(control.visible_count)?;
         Ok(BinLists::new(&self.layout, size, &words, &sorted))
     }
+}
+
+/// This memory, and the pairs in the order of bins with the buffer that has everything else.
+fn with_lists(memory: &FrameMemory, sort: &Sort, buffer: &Buffer) -> FrameMemory {
+    memory
+        .with(Resource::Pairs, sort.order())
+        .with(Resource::Bins, buffer)
 }
 
 fn constants_of(layout: &BinLayout, own: [u32; 3]) -> [u32; 9] {

@@ -1,6 +1,6 @@
 //! Inputs of both raster methods.
 
-use crate::vulkan::memory::Slice;
+use crate::vulkan::pipeline::FrameMemory;
 use ash::vk;
 use effigy_core::{
     frame::{Damage, SortVariant, passes::Target},
@@ -9,15 +9,9 @@ use effigy_core::{
 
 /// Inputs of the stage.
 #[derive(Clone, Copy)]
-pub struct RasterInputs {
-    /// The ring of frame blocks.
-    pub frame: Slice,
-    /// Indices of splats in drawing order, as the sort leaves them.
-    pub order: Slice,
-    /// Splats with their keys.
-    pub splats: Slice,
-    /// The control, as the sort leaves it.
-    pub control: Slice,
+pub(crate) struct RasterInputs {
+    /// Holds order and control, as the sort leaves them, and splats with their keys.
+    pub memory: FrameMemory,
     /// The most splats that the buffers hold.
     pub capacity: u32,
     /// How pairs of splats and bins are sorted.

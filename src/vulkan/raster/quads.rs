@@ -15,7 +15,6 @@ use crate::vulkan::{
     },
     memory::{Buffer, DEPTH_FORMAT, Image, Replacement, Scope},
     pipeline::{
-        Resources,
         bindings::Bindings,
         graphics::{self, Attachment, Depth, Drawing},
         shaders,
@@ -23,7 +22,10 @@ use crate::vulkan::{
 };
 use ash::vk;
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, passes::Target},
+    frame::{
+        ColorFormat, RasterMethod, RendererOptions, Skip, kernels, passes::Target,
+        resource::Resource,
+    },
     layout::QUADS_PER_INSTANCE,
 };
 use std::sync::Arc;
@@ -60,7 +62,11 @@ pub struct Quads {
 }
 
 impl Quads {
-    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, options: &RendererOptions) -> Result<Self> {
+    pub(crate) fn new(
+        gpu: &Arc<Gpu>,
+        inputs: &RasterInputs,
+        options: &RendererOptions,
+    ) -> Result<Self> {
         let format = options.color.unwrap_or(RasterMethod::Quads.color());
         let depth = options.skip.contains(Skip::DEPTH);
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
@@ -78,19 +84,17 @@ impl Quads {
         } else {
             None
         };
-        let marks = saturation.as_ref().map(Saturation::marks);
-        let resources = Resources {
-            uniform: Some(inputs.frame),
-            storage: &[
-                inputs.order,
-                inputs.splats,
-                inputs.control,
-                // The shader has the binding, whether it reads it or not.
-                marks.unwrap_or(inputs.order),
-            ],
-            image: None,
+        // The shader has the binding of bins, whether it reads it or not.
+        let memory = match &saturation {
+            Some(saturation) => saturation.bins().add_to(&inputs.memory),
+            None => {
+                let unread = inputs.memory.slice(Resource::Order);
+                inputs.memory.with(Resource::Bins, unread)
+            }
         };
-        let bindings = Bindings::new(gpu, "raster", vk::ShaderStageFlags::VERTEX, resources)?;
+        let bindings = memory.bound(&kernels::QUADS_TESTED, |resources| {
+            Bindings::new(gpu, "raster", vk::ShaderStageFlags::VERTEX, resources)
+        })?;
         let layout = bindings.layout();
         let test = match saturation {
             Some(saturation) => Some(Box::new(DepthTest {

@@ -5,10 +5,13 @@ use super::draw::RasterInputs;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
     memory::{Buffer, Replacement, Slice},
-    pipeline::{Kernel, Launch, Resources, shaders},
+    pipeline::{FrameMemory, Kernel, Launch, shaders},
 };
 use ash::vk;
-use effigy_core::layout::{BINNING_BLOCK, BINNING_RUNS, BINNING_WORKGROUP, TILE_LEVELS, TILING};
+use effigy_core::{
+    frame::{kernels, resource::Resource},
+    layout::{BINNING_BLOCK, BINNING_RUNS, BINNING_WORKGROUP, TILE_LEVELS, TILING},
+};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 
@@ -55,23 +58,15 @@ pub struct Runs {
 }
 
 impl Runs {
-    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs) -> Result<Self> {
+    pub(crate) fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs) -> Result<Self> {
         let capacity = inputs.capacity;
         let blocks = TILING.most_blocks(capacity);
         let buffer = list_buffer(gpu, capacity, blocks)?;
-        let resources = Resources {
-            uniform: Some(inputs.frame),
-            storage: &[
-                inputs.order,
-                inputs.splats,
-                inputs.control,
-                (&buffer).into(),
-            ],
-            image: None,
-        };
+        let memory = inputs.memory.with(Resource::TileLists, &buffer);
         let launch = Launch::default();
+        let (spec, module) = (&kernels::BINNING, &shaders::BINNING);
         Ok(Self {
-            binning: Kernel::new(gpu, &shaders::BINNING, &[blocks], resources, launch)?,
+            binning: Kernel::of_frame(gpu, spec, module, &[blocks], &memory, launch)?,
             capacity,
             blocks,
             is_fixed: false,
@@ -81,7 +76,7 @@ impl Runs {
 
     /// Where a frame says how many blocks its lists asked for.
     pub fn asked(&self) -> Slice {
-        self.storage().part(0, 4)
+        Slice::from(&self.buffer).part(0, 4)
     }
 
     /// How many blocks frames should have after one that asked for so many. None where nothing
@@ -133,8 +128,9 @@ impl Runs {
         unsafe { self.binning.replace(replacement) };
     }
 
-    pub fn storage(&self) -> Slice {
-        (&self.buffer).into()
+    /// This memory, and the lists.
+    pub(crate) fn add_to(&self, memory: &FrameMemory) -> FrameMemory {
+        memory.with(Resource::TileLists, &self.buffer)
     }
 
     /// Empties the lists; a transfer.

@@ -14,7 +14,7 @@ use crate::vulkan::{
         handle::{Pipeline, RenderPass, Sampler},
         recording::Recording,
     },
-    memory::{Image, LayoutChange, Replacement, Scope, Slice, image_bytes},
+    memory::{Image, LayoutChange, Replacement, Scope, image_bytes},
     pipeline::{
         BoundImage, Kernel, Launch, Resources,
         bindings::Bindings,
@@ -23,7 +23,11 @@ use crate::vulkan::{
     },
 };
 use ash::vk;
-use effigy_core::{constants::saturation_light, frame::RendererOptions, layout::SATURATION_REGION};
+use effigy_core::{
+    constants::saturation_light,
+    frame::{RendererOptions, kernels},
+    layout::SATURATION_REGION,
+};
 use std::sync::Arc;
 
 /// Every device can write and sample it.
@@ -40,24 +44,19 @@ pub struct Saturation {
 
 impl Saturation {
     /// `render_pass`: that of the quads, which tests depth.
-    pub fn new(
+    pub(crate) fn new(
         gpu: &Arc<Gpu>,
         inputs: &RasterInputs,
         render_pass: &RenderPass,
         options: &RendererOptions,
     ) -> Result<Self> {
         let bins = Bins::new(gpu, inputs)?;
-        let [sorted, lists] = bins.storage();
-        let resources = Resources {
-            uniform: Some(inputs.frame),
-            storage: &[inputs.splats, inputs.control, sorted, lists],
-            image: Some(BoundImage::Written),
-        };
-        let kernel = Kernel::new(
+        let kernel = Kernel::of_frame(
             gpu,
+            &kernels::SATURATION,
             &shaders::SATURATION,
             &bins.constants(constants(options)),
-            resources,
+            &bins.add_to(&inputs.memory),
             LAUNCH,
         )?;
         let depth = SaturationDepth::new(gpu, render_pass)?;
@@ -119,11 +118,6 @@ impl Saturation {
             self.bins.replace(replacement);
             self.kernel.replace(replacement);
         }
-    }
-
-    /// The buffer with the marks of splats that are seen somewhere.
-    pub fn marks(&self) -> Slice {
-        self.bins.storage()[1]
     }
 
     /// The lists that the samples are made from.

@@ -11,11 +11,13 @@ use super::{
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
     memory::{Image, LayoutChange, Replacement, Scope},
-    pipeline::{BoundImage, Kernel, Launch, Resources, shaders},
+    pipeline::{Kernel, Launch, shaders},
 };
 use ash::vk::{self, AccessFlags, ImageLayout};
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, TileKernel, passes::Target},
+    frame::{
+        ColorFormat, RasterMethod, RendererOptions, Skip, TileKernel, kernels, passes::Target,
+    },
     layout::{RASTER_REGION, SHARED_REGION},
 };
 use std::sync::Arc;
@@ -51,19 +53,14 @@ impl TileTarget {
             (TileKernel::Shared, ColorFormat::Rgba8) => &shaders::RASTER_SHARED_RGBA8,
             (TileKernel::Shared, ColorFormat::Rgba16F) => &shaders::RASTER_SHARED_RGBA16F,
         };
-        let mut storage = vec![inputs.splats, inputs.control];
-        match lists {
-            Lists::Runs(runs) => storage.push(runs.storage()),
-            Lists::Bins(bins) => storage.extend(bins.storage()),
-        }
-        let resources = Resources {
-            uniform: Some(inputs.frame),
-            storage: &storage,
-            image: Some(BoundImage::Written),
+        let (spec, memory) = match lists {
+            Lists::Runs(runs) => (&kernels::RASTER_TILES, runs.add_to(&inputs.memory)),
+            Lists::Bins(bins) => (&kernels::RASTER_BINS, bins.add_to(&inputs.memory)),
         };
         let constants = constants(lists, options);
         let image = create_image(gpu, options, size)?;
-        let kernel = Kernel::new(gpu, module, &constants, resources, launch(gpu, kernel))?;
+        let launch = launch(gpu, kernel);
+        let kernel = Kernel::of_frame(gpu, spec, module, &constants, &memory, launch)?;
         // SAFETY: nothing uses the kernel yet; `record` has the image in the layout that it writes,
         // and the image lives as long as the kernel, or until it gets another.
         unsafe { kernel.set_image(image.view()) };
@@ -84,7 +81,11 @@ pub struct Tiles {
 }
 
 impl Tiles {
-    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, options: &RendererOptions) -> Result<Self> {
+    pub(crate) fn new(
+        gpu: &Arc<Gpu>,
+        inputs: &RasterInputs,
+        options: &RendererOptions,
+    ) -> Result<Self> {
         let kernel = tile_kernel(options, gpu);
         let lists = match kernel {
             TileKernel::PerThread | TileKernel::Cooperative => {
@@ -175,7 +176,7 @@ impl Tiles {
     /// # Safety
     /// No submitted work may draw with it, and the new buffer must outlive what will.
     pub unsafe fn replace(&mut self, replacement: Replacement) {
-        replacement.apply(&mut self.inputs.splats);
+        self.inputs.memory.replace(replacement);
         // SAFETY: the caller promises what the functions ask for.
         unsafe {
             match &mut self.lists {

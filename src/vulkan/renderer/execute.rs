@@ -15,7 +15,8 @@ use crate::vulkan::{
 use ash::vk::{AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
     FramePlan, RasterMethod, Schedule,
-    passes::{Pass, PipelineStages, Stage, Target},
+    passes::{Pass, Stage, Target},
+    resource::PipelineStages,
     schedule::{Command, Step},
 };
 

@@ -22,7 +22,7 @@ use super::{
     },
     memory::Buffer,
     passes::{mlp::Mlp, model::Model, project::Project, sh::SphericalHarmonics},
-    pipeline::Launch,
+    pipeline::{FrameMemory, Launch},
     raster::{
         Raster,
         download::{self, Copied},
@@ -43,6 +43,7 @@ use effigy_core::{
         StageDispatches, Unusable,
         block::PoseLayout,
         passes::Target,
+        resource::Resource,
         room::Room,
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
@@ -194,7 +195,7 @@ impl Renderer {
             bytes_of(&control(0)),
             storage | vk::BufferUsageFlags::INDIRECT_BUFFER,
         )?;
-        let frame = blocks.slice();
+        let memory = FrameMemory::new(blocks.slice()).with(Resource::Pose, &pose);
         let variant = match options.sort {
             Some(variant) => {
                 choice::allow(gpu, variant)?;
@@ -202,7 +203,7 @@ impl Renderer {
             }
             None => choice::without_test(gpu)?,
         };
-        let project = Project::new(gpu, &model, frame, (&pose).into(), variant, &options, room)?;
+        let project = Project::new(gpu, &model, &memory, variant, &options, room)?;
         let sort_options = SortOptions {
             counts: Some(project.counts()),
             ..SortOptions::new(options.keys(), variant)
@@ -211,10 +212,10 @@ impl Renderer {
         // SAFETY: the renderer owns these buffers, and drops them after its frames.
         let sort = unsafe { Sort::new(gpu, project.keys(), &control, capacity, sort_options) }?;
         let inputs = RasterInputs {
-            frame,
-            order: sort.order(),
-            splats: project.whole_buffer(),
-            control: (&control).into(),
+            memory: memory
+                .with(Resource::Order, sort.order())
+                .with(Resource::Splats, project.whole_buffer())
+                .with(Resource::Control, &control),
             capacity,
             sort: variant,
         };
@@ -227,26 +228,17 @@ impl Renderer {
         if avatar.sh.is_some() {
             let levels = avatar.levels.iter().map(|level| avatar.at_level(level));
             for (level, set) in levels.zip(&model.sets[1..]) {
-                sh.extend(SphericalHarmonics::new(
-                    gpu,
-                    &level,
-                    set,
-                    frame,
-                    (&pose).into(),
-                    launch,
-                )?);
+                sh.extend(SphericalHarmonics::new(gpu, &level, set, &memory, launch)?);
             }
         }
-        if let Some(own) =
-            SphericalHarmonics::new(gpu, avatar, model.own(), frame, (&pose).into(), launch)?
-        {
+        if let Some(own) = SphericalHarmonics::new(gpu, avatar, model.own(), &memory, launch)? {
             sh.insert(0, own);
         }
         let renderer = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
-            mlp: Mlp::new(gpu, &model, frame, (&pose).into(), launch)?,
+            mlp: Mlp::new(gpu, &model, &memory, launch)?,
             sh,
             project,
             sort,
