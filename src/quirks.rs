@@ -39,6 +39,10 @@ pub fn leaves_loops(driver: &str) -> bool {
             .is_none_or(|version| version < 25)
 }
 
+/// What it means that a driver leaves loops, and which does not.
+pub const OLD_LAVAPIPE: &str = "tiles would lose parts of large scenes, and quads are slower: \
+    Mesa 25's lavapipe has no such limit; on Debian 12 `tools/start.sh` fetches it";
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -90,6 +90,7 @@ fn show(
         },
         full_screen: false,
         background: BACKGROUND,
+        picture: None,
         frames: None,
         rehearse: Vec::new(),
         live: false,

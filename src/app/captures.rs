@@ -87,7 +87,7 @@ impl Captures {
     pub fn save_screenshot(
         &mut self,
         painter: &mut WindowPainter,
-        background: [f32; 3],
+        background: Option<[f32; 3]>,
     ) -> Result<(), Error> {
         if !std::mem::take(&mut self.screenshot_requested) {
             return Ok(());
@@ -98,7 +98,8 @@ impl Captures {
             // If the window is closed already, no one is left to read it.
             let _ = proxy.send_event(Message::Text(text));
         };
-        let image = move || copied.decode().over(background);
+        let behind = painter.behind(background);
+        let image = move || behind(&copied.decode());
         self.writers.start(self.folders.clone(), image, report);
         Ok(())
     }

@@ -1,6 +1,11 @@
 //! Options of the viewer.
 
-use crate::{dropped::OpenFiles, file_list::FileList, quality_control::QualityControl};
+use crate::{
+    dropped::OpenFiles,
+    file_list::FileList,
+    quality_control::QualityControl,
+    scene::{BACKGROUND, BehindImage},
+};
 use effigy::vulkan::{GpuOptions, RendererOptions};
 use std::{path::PathBuf, sync::Arc};
 
@@ -14,6 +19,8 @@ pub struct ViewerOptions {
     pub full_screen: bool,
     /// Colour behind the avatar: display-referred RGB, 0 to 1.
     pub background: [f32; 3],
+    /// A picture behind the avatar, shown first; B goes on to colours.
+    pub picture: Option<BehindImage>,
     /// Another thread of the program makes the avatar: [`Display::live`](crate::Display::live). It
     /// starts paused and no ways to draw are timed, since both would take the device from it.
     pub live: bool,
@@ -47,7 +54,8 @@ impl ViewerOptions {
             gpu: GpuOptions::headless(None),
             renderer,
             full_screen: false,
-            background: [0.85, 0.87, 0.89],
+            background: BACKGROUND,
+            picture: None,
             live: false,
             frames: None,
             rehearse: Vec::new(),

@@ -2,7 +2,7 @@
 
 use crate::{
     device::{self, WindowDevice},
-    scene::FrameContent,
+    scene::{BehindImage, FrameContent},
 };
 use ash::vk;
 use effigy::vulkan::{
@@ -14,7 +14,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::Avatar,
-    scene::{Camera, Posed},
+    scene::{Camera, FrameImage, Posed},
 };
 use effigy_runtime::governor::FrameQuality;
 use egui::{ClippedPrimitive, Pos2, Rect, TexturesDelta, epaint::Primitive};
@@ -69,6 +69,8 @@ pub struct WindowPainter {
     textures: CommandPool,
     swapchain: Option<Swapchain>,
     present: Present,
+    /// Put behind frames that have no colour of their own.
+    picture: Option<BehindImage>,
     surface: Option<Surface>,
     renderer: Renderer,
     /// How to draw at full quality.
@@ -98,6 +100,7 @@ impl WindowPainter {
         avatar: &Avatar,
         options: &GpuOptions,
         full_quality: RendererOptions,
+        picture: Option<BehindImage>,
     ) -> anyhow::Result<Self> {
         // Most of a start is the driver's: the avatar is packed meanwhile.
         let (device, prepared) = std::thread::scope(|scope| {
@@ -136,6 +139,7 @@ impl WindowPainter {
             textures,
             swapchain: None,
             present,
+            picture,
             surface: Some(surface),
             renderer,
             full_quality,
@@ -279,7 +283,22 @@ impl WindowPainter {
             // resize sets another.
             unsafe { self.present.set_image(self.renderer.raster().image()) };
         }
+        if let Some(picture) = &self.picture
+            && self.present.picture_size() != size
+        {
+            let image = picture(&FrameImage::empty(size));
+            // SAFETY: every frame is done.
+            unsafe { self.present.set_picture(size, image.as_raw()) }?;
+        }
         Ok(Some(size))
+    }
+
+    /// Puts a frame's background behind an image: a colour, or else the picture.
+    pub fn behind(&self, background: Option<[f32; 3]>) -> BehindImage {
+        match (background, &self.picture) {
+            (None, Some(picture)) => picture.clone(),
+            (color, _) => Arc::new(move |image| image.over(color.unwrap_or_default())),
+        }
     }
 
     /// The system takes the window away. The device and the avatar stay, for [`Self::resume`].

@@ -9,9 +9,13 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
-    scene::{AvatarBounds, Camera, Posed},
+    scene::{AvatarBounds, Camera, FrameImage, Posed},
 };
+use image::RgbaImage;
 use std::sync::Arc;
+
+/// Puts a picture behind an image, whatever its size.
+pub type BehindImage = Arc<dyn Fn(&FrameImage) -> RgbaImage + Send + Sync>;
 
 /// Default colour behind the avatar: light grey, display-referred RGB.
 pub const BACKGROUND: [f32; 3] = BACKGROUNDS[0];
@@ -23,6 +27,44 @@ const BACKGROUNDS: [[f32; 3]; 4] = [
     [0.0; 3],
     [0.10, 0.12, 0.17],
 ];
+
+/// What is behind the avatar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Background {
+    /// Display-referred RGB, 0 to 1.
+    pub color: [f32; 3],
+    /// Whether the viewer has a picture to show in its place.
+    pub has_picture: bool,
+    /// Whether it does.
+    pub shows_picture: bool,
+}
+
+impl From<[f32; 3]> for Background {
+    fn from(color: [f32; 3]) -> Self {
+        Self {
+            color,
+            has_picture: false,
+            shows_picture: false,
+        }
+    }
+}
+
+impl Background {
+    /// The picture, then the known colours.
+    fn next(self) -> Self {
+        let known = BACKGROUNDS
+            .iter()
+            .position(|known| is_same_color(known, &self.color))
+            .filter(|_| !self.shows_picture);
+        let index = known.map_or(0, |index| index + 1);
+        Self {
+            color: BACKGROUNDS[index % BACKGROUNDS.len()],
+            shows_picture: self.has_picture && index == BACKGROUNDS.len(),
+            ..self
+        }
+    }
+}
+
 /// Longest time that the view glides in one frame, seconds: after a pause it does not jump.
 const GLIDE_MAX: f64 = 0.1;
 
@@ -33,8 +75,8 @@ pub struct FrameContent {
     pub position: ClipTime,
     /// The view.
     pub camera: Camera,
-    /// Display-referred RGB, 0 to 1.
-    pub background: [f32; 3],
+    /// Display-referred RGB, 0 to 1. None: the viewer's picture.
+    pub background: Option<[f32; 3]>,
 }
 
 /// An avatar with its clips, seen by an orbiting camera. `clock` is always a time in seconds that
@@ -48,7 +90,7 @@ pub struct ViewerScene {
     posed: Posed,
     /// The clip and time that `posed` is for.
     position: ClipTime,
-    background: [f32; 3],
+    background: Background,
     /// The view moves with the avatar over the ground.
     follow: bool,
     /// The clock at the last advance.
@@ -56,12 +98,11 @@ pub struct ViewerScene {
 }
 
 impl ViewerScene {
-    /// The first clip plays from now on. `background`: display-referred RGB. `size`: the image's,
-    /// px.
+    /// The first clip plays from now on. `size`: the image's, px.
     pub fn new(
         avatar: impl Into<Arc<Avatar>>,
         clips: Vec<Clip>,
-        background: [f32; 3],
+        background: impl Into<Background>,
         size: [u32; 2],
         clock: f64,
     ) -> Self {
@@ -93,7 +134,7 @@ impl ViewerScene {
             orbit,
             posed,
             position,
-            background,
+            background: background.into(),
             follow: true,
             clock,
         }
@@ -135,8 +176,8 @@ impl ViewerScene {
         &self.playback
     }
 
-    /// Colour behind the avatar: display-referred RGB, 0 to 1.
-    pub fn background(&self) -> [f32; 3] {
+    /// What is behind the avatar.
+    pub fn background(&self) -> Background {
         self.background
     }
 
@@ -196,7 +237,7 @@ impl ViewerScene {
         FrameContent {
             position,
             camera: self.orbit.camera(size),
-            background: self.background,
+            background: (!self.background.shows_picture).then_some(self.background.color),
         }
     }
 
@@ -252,15 +293,10 @@ impl ViewerScene {
                 }
             }
             Action::Background(color) => {
-                self.background = color.map(|channel| channel.clamp(0.0, 1.0))
+                self.background.color = color.map(|channel| channel.clamp(0.0, 1.0));
+                self.background.shows_picture = false;
             }
-            Action::NextBackground => {
-                let next = BACKGROUNDS
-                    .iter()
-                    .position(|known| is_same_color(known, &self.background))
-                    .map_or(0, |index| index + 1);
-                self.background = BACKGROUNDS[next % BACKGROUNDS.len()];
-            }
+            Action::NextBackground => self.background = self.background.next(),
             Action::Avatar(_)
             | Action::NextAvatar
             | Action::Share

@@ -15,7 +15,7 @@ use crate::{
     painter::WindowPainter,
     quality_control::QualityController,
     recovery::{REHEARSAL, Recovery},
-    scene::{FrameContent, ViewerScene},
+    scene::{Background, FrameContent, ViewerScene},
     tuning::BackgroundTrials,
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
@@ -100,7 +100,12 @@ impl Viewer {
     ) -> Self {
         let size = options.renderer.size;
         let LoadedAvatar { avatar, clips } = loaded;
-        let mut scene = ViewerScene::new(avatar, clips, options.background, size, 0.0);
+        let background = Background {
+            color: options.background,
+            has_picture: options.picture.is_some(),
+            shows_picture: options.picture.is_some(),
+        };
+        let mut scene = ViewerScene::new(avatar, clips, background, size, 0.0);
         if options.live {
             scene.act(Action::PlayOrPause, 0.0, size);
         }
@@ -182,7 +187,8 @@ impl Viewer {
                 tracing::warn!("starting: the driver compiles shaders at a first start");
             })
         });
-        let painter = WindowPainter::new(window, avatar, &self.options.gpu, full_quality)?;
+        let picture = self.options.picture.clone();
+        let painter = WindowPainter::new(window, avatar, &self.options.gpu, full_quality, picture)?;
         self.slow_start = slow_start;
         tracing::info!(
             "showing `{}` with {}",
@@ -731,7 +737,7 @@ impl Viewer {
             file_list: &self.options.file_list,
             has_crash_report: self.options.crash_report.is_some(),
             has_renderdoc: self.captures.has_renderdoc(),
-            background: self.scene.background(),
+            background: self.scene.background().color,
             follow: self.scene.follows(),
             message: self.message.as_deref(),
         };

@@ -66,9 +66,6 @@ fn for_cause(cause: &(dyn Error + 'static)) -> Option<&'static str> {
 
 const OTHER_DEVICE: &str =
     "`effigy devices` lists every device and what it can do; choose one with --device";
-/// Advice where a driver leaves long loops early.
-pub const OLD_LAVAPIPE: &str =
-    "Mesa 25's lavapipe has no such limit; on Debian 12 `tools/start.sh` fetches it";
 /// Advice where a driver can't draw triangles.
 pub const NO_TRIANGLES: &str =
     "set LP_NATIVE_VECTOR_WIDTH=256, or use `--raster tiles` and no window";

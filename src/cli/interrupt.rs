@@ -45,12 +45,17 @@ impl Interrupts {
 
     /// Has a signal end the program with an exit code and a sentence, whatever it is at, unless there
     /// is something to save by then.
-    pub fn leave_unless(&self, is_to_save: &Arc<AtomicBool>, code: u8, sentence: String) {
+    pub fn leave_unless(
+        &self,
+        is_to_save: &Arc<AtomicBool>,
+        code: u8,
+        sentence: impl FnOnce() -> String + Send + 'static,
+    ) {
         let is_to_save = is_to_save.clone();
         let trying = self.trying.clone();
         self.when_stopped(move || {
             if !is_to_save.load(Ordering::SeqCst) && !trying.load(Ordering::SeqCst) {
-                eprintln!("{sentence}");
+                eprintln!("{}", sentence());
                 exit_now(code.into());
             }
         });

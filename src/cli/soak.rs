@@ -108,7 +108,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let stop = Interrupts::listen()?;
     let running = Arc::new(AtomicBool::new(false));
     // Nothing is measured yet.
-    stop.leave_unless(&running, 130, "stopped before the soak".into());
+    stop.leave_unless(&running, 130, || "stopped before the soak".into());
     let (mut avatar, player) = args.source.load_player()?;
     args.quality.filter.apply(&mut avatar);
     let gpu = Gpu::new(&args.quality.gpu())?;

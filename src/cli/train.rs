@@ -19,12 +19,15 @@ use effigy_train::{
     log::Progress,
     preflight,
     recipe::{PerceptualKind, Preset, Recipe},
-    session::{Outcome, POSES, Plan, RECIPE, Session, SessionOptions},
+    session::{Outcome, POSES, Plan, RECIPE, Session, SessionOptions, Standing},
 };
 use std::{
     fmt,
     path::{Path, PathBuf},
-    sync::{Arc, atomic::AtomicBool},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
     time::Duration,
 };
 
@@ -106,7 +109,7 @@ fn minutes(text: &str) -> Result<f64, String> {
 pub enum Ended {
     /// Asked to; goes on with --resume.
     Stopped {
-        /// Steps so far.
+        /// Steps so far; 0 where they are not known yet.
         steps: u64,
     },
     /// The recipe is none: trying again does not help.
@@ -127,7 +130,7 @@ impl fmt::Display for Ended {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Stopped { steps: 0 } => {
-                f.write_str("stopped before the first step; the same command with --resume goes on")
+                f.write_str("stopped before it took a step; the same command with --resume goes on")
             }
             Self::Stopped { steps } => write!(
                 f,
@@ -154,14 +157,15 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let recipe = with_known_weights(recipe(&args)?, &args, &work);
     let stop = Interrupts::listen()?;
-    let learned = Arc::new(AtomicBool::new(false));
+    let standing = Arc::new(Standing::default());
+    let left = standing.clone();
     // Whoever starts trainings is told to try again, as when one has begun.
-    let begun_nothing = Ended::Stopped { steps: 0 };
-    stop.leave_unless(
-        &learned,
-        begun_nothing.exit_code(),
-        begun_nothing.to_string(),
-    );
+    let code = Ended::Stopped { steps: 0 }.exit_code();
+    stop.leave_unless(&standing.is_unsaved, code, move || {
+        left.leave();
+        let steps = left.steps.load(Ordering::SeqCst);
+        Ended::Stopped { steps }.to_string()
+    });
     let capture = read_capture(folder, &args)?;
     let gpu = Gpu::new(&args.device.gpu())?;
     let name = out.file_stem().unwrap_or_default().to_string_lossy();
@@ -173,7 +177,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         checkpoint_every: Duration::from_secs_f64(args.checkpoint),
         log_every: 50,
         perceptual_weights: args.weights.clone(),
-        learned,
+        standing,
         name: name.into_owned(),
         credit: String::new(),
     };

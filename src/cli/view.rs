@@ -1,22 +1,28 @@
 //! `effigy view`, and what `effigy` does without a subcommand.
 
-#[cfg(feature = "window")]
-use crate::soak;
 use crate::{
     advice::Advised,
+    backdrop::{self, BackdropArg},
     options::{self, QualityArgs},
     output::{self, Output},
     render,
     source::Source,
 };
+#[cfg(feature = "window")]
+use crate::{backdrop::Backdrop, soak};
 use clap::Parser;
 #[cfg(feature = "window")]
 use effigy::vulkan::RendererOptions;
 #[cfg(feature = "window")]
-use effigy_app::file_list::{self, FileList, LoadedAvatar};
+use effigy_app::{
+    file_list::{self, FileList, LoadedAvatar},
+    scene::{BACKGROUND, BehindImage},
+};
+#[cfg(feature = "window")]
+use effigy_core::scene::FrameImage;
 use std::path::{Path, PathBuf};
 #[cfg(feature = "window")]
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 #[derive(clap::Args, Debug)]
 #[cfg_attr(feature = "window", command(after_help = effigy_app::action::help()))]
@@ -32,9 +38,9 @@ pub struct Args {
     /// Fill the screen
     #[arg(long)]
     fullscreen: bool,
-    /// Colour behind the avatar
-    #[arg(long, value_name = "RRGGBB", default_value = options::BACKGROUND, value_parser = options::color)]
-    background: [f32; 3],
+    /// Colour behind the avatar, or a picture, PNG or JPEG, that covers the window
+    #[arg(long, value_name = "RRGGBB|FILE", default_value = options::BACKGROUND, value_parser = backdrop::argument)]
+    background: BackdropArg,
     /// Draw without pause, quit after this many frames, 1 or more, and print how long they took
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     frames: Option<u32>,
@@ -141,6 +147,7 @@ fn show(display: effigy_app::Display, args: Args) -> anyhow::Result<()> {
     if args.soak.is_some() {
         soak::check_files(Path::new(SOAK))?;
     }
+    let background = Background::open(&args.background)?;
     let (avatar, clips) = args.source.load()?;
     let file_list = args.file_list(&avatar.name);
     let renderer = RendererOptions {
@@ -150,7 +157,8 @@ fn show(display: effigy_app::Display, args: Args) -> anyhow::Result<()> {
     let options = effigy_app::ViewerOptions {
         gpu: args.quality.gpu(),
         full_screen: args.fullscreen,
-        background: args.background,
+        background: background.color,
+        picture: background.picture,
         frames: args.frames,
         rehearse: args.rehearse,
         file_list,
@@ -160,6 +168,43 @@ fn show(display: effigy_app::Display, args: Args) -> anyhow::Result<()> {
         ..effigy_app::ViewerOptions::new(renderer)
     };
     display.show(avatar, clips, options)
+}
+
+/// What is behind the avatar.
+#[cfg(feature = "window")]
+struct Background {
+    /// Display-referred RGB, 0 to 1.
+    color: [f32; 3],
+    picture: Option<BehindImage>,
+}
+
+#[cfg(feature = "window")]
+impl Background {
+    /// Reads the picture, if it is one.
+    fn open(argument: &BackdropArg) -> anyhow::Result<Self> {
+        Ok(match Backdrop::open(argument)? {
+            Backdrop::Transparent => {
+                anyhow::bail!(
+                    "a window has no transparency: give --background a colour or a picture"
+                )
+            }
+            Backdrop::Color(color) => Self {
+                color,
+                picture: None,
+            },
+            picture => {
+                let picture = Mutex::new(picture);
+                let behind = move |image: &FrameImage| {
+                    let picture = &mut picture.lock().unwrap_or_else(PoisonError::into_inner);
+                    picture.behind(image)
+                };
+                Self {
+                    color: BACKGROUND,
+                    picture: Some(Arc::new(behind)),
+                }
+            }
+        })
+    }
 }
 
 #[cfg(not(feature = "window"))]

@@ -128,6 +128,14 @@ impl Lock {
             attempt,
         })
     }
+
+    /// The lock's file: who ends the program without dropping the lock empties it.
+    ///
+    /// # Errors
+    /// When the process has no room for another file.
+    pub fn file(&self) -> io::Result<File> {
+        self.held.try_clone()
+    }
 }
 
 impl Drop for Lock {

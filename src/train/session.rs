@@ -28,11 +28,11 @@ use effigy_core::scene::{Camera, Posed};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, sync_channel};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -42,6 +42,9 @@ const START: &str = "start.avatar";
 pub const RECIPE: &str = "recipe.toml";
 /// The poses that were learned, as a clip.
 pub const POSES: &str = "poses.motion";
+
+/// How long pictures are waited for before it is looked whether to stop.
+const STOPS_WITHIN: Duration = Duration::from_millis(100);
 
 /// What a training needs besides its recipe.
 pub struct SessionOptions {
@@ -60,12 +63,32 @@ pub struct SessionOptions {
     pub log_every: u64,
     /// Where the weights of the perceptual loss are.
     pub perceptual_weights: PathBuf,
-    /// Set with the first step. Before it there is nothing to save when the program is to end.
-    pub learned: Arc<AtomicBool>,
+    /// Hears where the training stands.
+    pub standing: Arc<Standing>,
     /// Name of the avatar.
     pub name: String,
     /// Where it comes from.
     pub credit: String,
+}
+
+/// Where a training stands, for whoever ends the program at any time.
+#[derive(Default)]
+pub struct Standing {
+    /// Steps so far; 0 while it is not known yet.
+    pub steps: AtomicU64,
+    /// Whether there is something that no checkpoint has.
+    pub is_unsaved: Arc<AtomicBool>,
+    /// The folder's lock, once it is taken.
+    lock: OnceLock<File>,
+}
+
+impl Standing {
+    /// Gives the folder back, before the program ends without further ado.
+    pub fn leave(&self) {
+        if let Some(lock) = self.lock.get() {
+            lock.set_len(0).ok();
+        }
+    }
 }
 
 /// What a training is about to ask of the device.
@@ -139,6 +162,9 @@ impl Session {
             cause,
         })?;
         let lock = Lock::take(folder)?;
+        if let Ok(file) = lock.file() {
+            options.standing.lock.get_or_init(|| file);
+        }
         let found = Checkpoint::last(folder).map_err(|cause| FileError::Read {
             file: folder.clone(),
             cause,
@@ -249,6 +275,8 @@ impl Session {
             });
         }
         let batch = recipe.schedule.batch;
+        let steps = &options.standing.steps;
+        steps.store(stands.state.steps, Ordering::SeqCst);
         announce(&Plan {
             pictures: views.len(),
             view_size: views.size(),
@@ -411,9 +439,17 @@ impl Session {
             if !self.pruned && share >= self.pruning_share() {
                 self.prune()?;
             }
-            let looked = coming.recv().map_err(|_| TrainError::LoaderEnded)??;
-            self.step(looked, share, &mut sums)?;
-            self.options.learned.store(true, Ordering::Relaxed);
+            let looked = match coming.recv_timeout(STOPS_WITHIN) {
+                Ok(looked) => looked?,
+                Err(RecvTimeoutError::Timeout) => continue,
+                Err(RecvTimeoutError::Disconnected) => return Err(TrainError::LoaderEnded),
+            };
+            if !self.step(looked, share, stop, &mut sums)? {
+                continue;
+            }
+            let standing = &self.options.standing;
+            standing.steps.store(self.steps(), Ordering::SeqCst);
+            standing.is_unsaved.store(true, Ordering::SeqCst);
             if self.steps().is_multiple_of(self.options.log_every) || self.steps() == 1 {
                 let progress = sums.take(self.now());
                 log::add(&self.options.folder, &progress)?;
@@ -479,8 +515,14 @@ impl Session {
         Ok(())
     }
 
-    /// One step.
-    fn step(&mut self, looked: Vec<Looked>, share: f64, sums: &mut Sums) -> Result<(), TrainError> {
+    /// One step. Returns false where `stop` was set before its end: then nothing is learned.
+    fn step(
+        &mut self,
+        looked: Vec<Looked>,
+        share: f64,
+        stop: &AtomicBool,
+        sums: &mut Sums,
+    ) -> Result<bool, TrainError> {
         let corrects = self.corrects(share);
         let recipe = &self.recipe;
         let shots: Vec<Shot> = looked.iter().map(|looked| looked.shot).collect();
@@ -510,11 +552,14 @@ impl Session {
             Some(asked) if asks => {
                 let place = self.place;
                 let mut value = 0.0;
-                let found = trainer.step_asking(views, &options, |number, image| {
+                let found = trainer.step_asking(views, &options, stop, |number, image| {
                     let said = asked.ask(&views[number], place + number as u64, image)?;
                     value += said.value / views.len() as f64;
                     Some(said.gradient)
                 })?;
+                let Some(found) = found else {
+                    return Ok(false);
+                };
                 sums.perceptual = Some(value);
                 found
             }
@@ -549,7 +594,7 @@ impl Session {
         }
         sums.add(&found);
         self.place += shots.len() as u64;
-        Ok(())
+        Ok(true)
     }
 
     /// A view with what is known by now of its pose, its camera and the person's bones.
@@ -789,6 +834,8 @@ impl Session {
             recipe: self.recipe.text(),
         };
         checkpoint.write(&self.options.folder)?;
+        let is_unsaved = &self.options.standing.is_unsaved;
+        is_unsaved.store(false, Ordering::SeqCst);
         Ok(checkpoint.state)
     }
 

@@ -158,7 +158,7 @@ fn a_training_is_the_same_with_and_without_a_check() {
             checkpoint_every: Duration::from_secs(1000),
             log_every: 50,
             perceptual_weights: PathBuf::new(),
-            learned: Default::default(),
+            standing: Default::default(),
             name: "same".into(),
             credit: String::new(),
         };

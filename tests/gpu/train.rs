@@ -14,6 +14,7 @@ use effigy_train::topology::{Rows, Topology};
 use effigy_train::view::{Picture, View};
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// An avatar, and views of it whose pictures are noise: every pixel has a derivative.
 struct Scene {
@@ -625,7 +626,10 @@ fn pairs_that_no_buffer_holds_are_drawn_in_bands() {
     assert!(trainer.state().unwrap() == whole.state().unwrap());
     let asked = |trainer: &mut Trainer| {
         let slope = |_: usize, image: &[[f32; 3]]| Some(vec![[1e-3; 3]; image.len()]);
-        trainer.step_asking(&scene.views, &LEARNING, slope).unwrap();
+        let goes_on = AtomicBool::new(false);
+        trainer
+            .step_asking(&scene.views, &LEARNING, &goes_on, slope)
+            .unwrap();
         trainer.state().unwrap()
     };
     assert!(asked(&mut trainer) == asked(&mut whole));
@@ -694,8 +698,17 @@ fn another_loss_is_asked_once_a_view() {
     // Each channel has a slope of its own, the same in all pixels.
     let slope = [1e-3f32, -2e-3, 5e-4];
     let mut asked = Vec::new();
+    let stop = AtomicBool::new(false);
+    let before = trainer.state().unwrap();
+    let stopped = trainer.step_asking(&scene.views, &options, &stop, |_, _| {
+        stop.store(true, Ordering::Relaxed);
+        None
+    });
+    assert_eq!(stopped.unwrap(), None);
+    assert!(trainer.state().unwrap() == before);
+    stop.store(false, Ordering::Relaxed);
     trainer
-        .step_asking(&scene.views, &options, |view, image| {
+        .step_asking(&scene.views, &options, &stop, |view, image| {
             assert_eq!(image.len(), pixels);
             asked.push(view);
             Some(vec![slope; pixels])

@@ -6,7 +6,7 @@ use effigy_app::{
     action::Action,
     gesture::Gesture,
     playback::{ClipTime, Playback, Repeat, SPEED, Track},
-    scene::ViewerScene,
+    scene::{Background, ViewerScene},
     views::View,
 };
 use effigy_core::{
@@ -368,7 +368,27 @@ fn backgrounds_go_round_and_stay_within_their_range() {
     assert_eq!(seen[..4], seen[4..]);
     assert!((1..4).all(|k| seen[k] != seen[0]), "{seen:?}");
     scene.act(Action::Background([-1.0, 0.5, 9.0]), 0.0, SIZE);
-    assert_eq!(scene.background(), [0.0, 0.5, 1.0]);
+    assert_eq!(scene.background().color, [0.0, 0.5, 1.0]);
+}
+
+/// First and after the last colour; a colour of one's own takes its place.
+fn a_picture_is_one_of_the_backgrounds() {
+    let mut scene = scene();
+    let background = Background {
+        has_picture: true,
+        shows_picture: true,
+        ..scene.background()
+    };
+    scene = ViewerScene::new(scene.avatar().clone(), Vec::new(), background, SIZE, 0.0);
+    let mut seen = vec![scene.advance(0.0, SIZE).background];
+    for _ in 0..5 {
+        scene.act(Action::NextBackground, 0.0, SIZE);
+        seen.push(scene.advance(0.0, SIZE).background);
+    }
+    assert!(seen[1..5].iter().all(Option::is_some), "{seen:?}");
+    assert_eq!([seen[0], seen[5]], [None, None]);
+    scene.act(Action::Background([0.5; 3]), 0.0, SIZE);
+    assert_eq!(scene.advance(0.0, SIZE).background, Some([0.5; 3]));
 }
 
 tests! {
@@ -389,4 +409,5 @@ tests! {
     views_go_by_how_the_avatar_stands,
     keys_zoom_to_the_middle,
     backgrounds_go_round_and_stay_within_their_range,
+    a_picture_is_one_of_the_backgrounds,
 }

@@ -558,20 +558,24 @@ fn devices_lists_every_device_and_its_use() {
     assert_eq!(read_json(&folder.path().join("devices.json")), json);
 }
 
-/// What a backend can't do is not asked of it by a default or a preset.
+/// What a backend can't do is not asked of it by a default or a preset. Vulkan draws the presets in
+/// the test of sweeps.
 fn each_backend_measures_and_draws_without_further_options() {
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
     let what = "small.avatar --motion small.motion --size 64x96";
-    for backend in ["vulkan", "webgpu"] {
-        for command in [
-            "bench --json out.json",
-            "bench --preset exact --check 0 --spread 1 --frames 2",
-            "bench --sweep preset --frames 1 --check 1 --rounds 1",
-            "render --out a.png",
-            "render --preset exact --out b.png",
-        ] {
+    let defaults = [
+        "bench --frames 4 --check 1 --spread 1 --json out.json",
+        "render --out a.png",
+    ];
+    let presets = [
+        "bench --preset exact --check 0 --spread 1 --frames 2",
+        "bench --sweep preset --frames 1 --check 1 --rounds 1",
+        "render --preset exact --out b.png",
+    ];
+    for (backend, presets) in [("vulkan", &presets[..0]), ("webgpu", &presets)] {
+        for command in defaults.iter().chain(presets) {
             let said = works(
                 folder.path(),
                 &format!("{command} {what} --backend {backend}"),

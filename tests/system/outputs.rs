@@ -1,7 +1,7 @@
 //! What a command writes is whole or as it was before, whatever happens; what it reads stays; names
 //! say what they hold.
 
-use crate::common;
+use crate::common::{self, gpu};
 use std::{
     collections::BTreeSet,
     fs,
@@ -62,6 +62,36 @@ const COMMANDS: [(&str, &[&str]); 15] = [
         "inspect walk.bvh --avatar small.avatar --png o.webp",
         &["o.webp"],
     ),
+];
+
+/// Commands that work for long, most of them on a device, each with files that it makes. None gets so
+/// far here: its folder has nothing that it could read.
+const LONG_COMMANDS: [(&str, &[&str]); 16] = [
+    (
+        "bench --json o.json --csv o.csv --strip o.png",
+        &["o.json", "o.csv", "o.png"],
+    ),
+    ("bench --pareto o.svg --trace o.json", &["o.svg", "o.json"]),
+    ("bench-sort --json o.json", &["o.json"]),
+    ("bench-device --json o.json", &["o.json"]),
+    ("soak --out o", &["o.csv", "o.json"]),
+    ("soak --out x --trace o.json", &["o.json"]),
+    ("stress --json o.json", &["o.json"]),
+    ("devices --json o.json", &["o.json"]),
+    ("devices --shader-stats --csv o.csv", &["o.csv"]),
+    ("bake body --out o.avatar", &["o.avatar"]),
+    ("bake motion 01_01.bvh --out o.motion", &["o.motion"]),
+    ("fit none.dataset --out o.avatar", &["o.avatar"]),
+    (
+        "prune small.avatar none.dataset --rows 9 --out o.avatar",
+        &["o.avatar"],
+    ),
+    (
+        "evaluate small.avatar none.dataset --json o.json",
+        &["o.json"],
+    ),
+    ("train none.capture --out o.avatar", &["o.avatar"]),
+    ("view --trace o.json", &["o.json"]),
 ];
 
 /// A folder with files to read.
@@ -170,7 +200,7 @@ fn on_a_full_disk_all_stays_as_it_was() {
 
 /// A file that is write-protected, a folder in its place, a folder that is missing or a file.
 fn without_permission_nothing_is_begun() {
-    for (arguments, files) in COMMANDS {
+    for (arguments, files) in COMMANDS.into_iter().chain(LONG_COMMANDS) {
         let folder = folder();
         age(folder.path(), files);
         let last = folder.path().join(files[files.len() - 1]);
@@ -192,8 +222,41 @@ fn without_permission_nothing_is_begun() {
             ("none", "there is no folder none"),
             ("scan.ply", "is no folder"),
         ] {
-            let moved = arguments.replace(&format!(" {stem}."), &format!(" {above}/{stem}."));
+            let mut moved = format!("{arguments} ");
+            for end in [".", " "] {
+                moved = moved.replace(&format!(" {stem}{end}"), &format!(" {above}/{stem}{end}"));
+            }
             fails(folder.path(), &moved, expected);
+        }
+    }
+}
+
+/// Reports of a device, whose times differ from run to run.
+fn reports_of_devices_are_whole_or_as_they_were() {
+    gpu::gpu();
+    for arguments in [
+        "devices --json",
+        "bench-device --size 64x64 --max-copy 1 --min-ms 1 --json",
+    ] {
+        let folder = folder();
+        fails(
+            folder.path(),
+            &format!("{arguments} /dev/full"),
+            "/dev/full can't be written",
+        );
+        for wait in [0, 30, 120, 400] {
+            age(folder.path(), &["o.json"]);
+            let mut child = command(folder.path(), &format!("{arguments} o.json"))
+                .stdout(Stdio::null())
+                .stderr(Stdio::null())
+                .spawn()
+                .unwrap();
+            std::thread::sleep(Duration::from_millis(wait));
+            child.kill().unwrap();
+            child.wait().unwrap();
+            let found = fs::read(folder.path().join("o.json")).unwrap();
+            let is_report = serde_json::from_slice::<serde_json::Value>(&found).is_ok();
+            assert!(found == OLD || is_report, "{arguments}, {wait} ms");
         }
     }
 }
@@ -363,6 +426,12 @@ fn names_that_promise_something_else_are_refused() {
             "has a capture: name another folder",
         ),
         ("analyse none.dataset --out scan.ply/below", "is a file"),
+        ("dataset small.motion --out scan.ply", "is a file"),
+        ("evaluate small.avatar none --images scan.ply", "is a file"),
+        (
+            "train none --out a.avatar --folder scan.ply/below",
+            "is a file",
+        ),
         ("pack small.avatar", "--out <FILE>"),
     ] {
         fails(folder.path(), arguments, expected);
@@ -476,6 +545,7 @@ tests! {
     on_a_full_disk_all_stays_as_it_was: no_device,
     without_permission_nothing_is_begun: no_device,
     what_is_killed_leaves_the_old_file_or_the_new: no_device,
+    reports_of_devices_are_whole_or_as_they_were,
     what_is_read_is_not_replaced: no_device,
     names_that_promise_something_else_are_refused: no_device,
     the_standard_output_has_the_file_alone: no_device,

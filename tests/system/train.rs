@@ -6,6 +6,7 @@ use effigy_core::avatar::{Avatar, Clip};
 use serde_json::Value;
 use std::{
     fs,
+    io::{BufRead, BufReader},
     path::Path,
     process::{Child, Command, Output, Stdio},
     time::{Duration, Instant},
@@ -129,6 +130,31 @@ fn wait_for_a_step(training: &Path, child: &mut Child) {
     }
 }
 
+/// Goes on with a training, and stops it before it takes a step, which loses none of those before.
+fn stops_at_once_and_counts_steps(here: &Path, arguments: &str, said: &str) {
+    let mut child = train(here, &format!("{arguments} --resume"))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let printed = BufReader::new(child.stdout.take().unwrap()).lines();
+    let going_on = |line: String| line.strip_prefix("going on after ").map(String::from);
+    let steps = printed.map_while(Result::ok).find_map(going_on).unwrap();
+    let begun = Instant::now();
+    Command::new("kill")
+        .arg(child.id().to_string())
+        .status()
+        .unwrap();
+    let stopped = child.wait_with_output().unwrap();
+    assert!(begun.elapsed() < Duration::from_secs(10));
+    assert_eq!(stopped.status.code(), Some(75), "{}", errors(&stopped));
+    let sentence = format!("stopped after {steps};");
+    assert!(said.contains(&sentence), "{said}: {steps}");
+    assert!(errors(&stopped).contains(&sentence), "{}", errors(&stopped));
+    let lock = fs::read(here.join("parts.training/lock.json")).unwrap();
+    assert!(lock.is_empty(), "the folder is given back");
+}
+
 fn a_stopped_training_goes_on_to_the_same_bits() {
     gpu::gpu();
     let folder = tempfile::tempdir().unwrap();
@@ -190,6 +216,7 @@ fn a_stopped_training_goes_on_to_the_same_bits() {
         "{}",
         errors(&other)
     );
+    stops_at_once_and_counts_steps(here, &arguments, &errors(&stopped));
     let resumed = ends(train(here, &format!("{arguments} --resume")));
     assert!(resumed.status.success(), "{}", errors(&resumed));
     // But for the name, which is the file's.

@@ -8,6 +8,7 @@ use crate::{
     playback::{Playback, Repeat, SPEED},
     ui::icons::{self, Icon},
 };
+use effigy::quirks::{OLD_LAVAPIPE, leaves_loops};
 use effigy_core::frame::report::{STAGES, stage_ms};
 use egui::{Align, Align2, Color32, Grid, Layout, Pos2, RichText, Sense, Slider, Stroke, Ui, vec2};
 
@@ -404,6 +405,9 @@ fn device(ui: &mut Ui, facts: &PanelFacts) {
     if !facts.driver.is_empty() {
         ui.label(RichText::new(facts.driver).weak());
     }
+    if leaves_loops(facts.driver) {
+        ui.label(OLD_LAVAPIPE);
+    }
     ui.label(RichText::new(format!("drawn with {}", facts.drawing)).weak());
     ui.label(format!(
         "{:.1} MB of GPU memory in use",
@@ -620,5 +624,37 @@ mod tests {
         assert!(asked_for(|w| matches!(w, Action::Capture)), "capture");
         assert!(asked_for(|w| matches!(w, Action::Keys)), "keys");
         assert!(asked_for(|w| matches!(w, Action::Follow(false))), "follow");
+    }
+
+    #[test]
+    fn an_old_lavapipe_is_named_with_what_to_do() {
+        let playback = Playback::new(Vec::new());
+        let files = FileList::default();
+        let times = FrameTimes::default();
+        for (driver, is_old) in [
+            ("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)", true),
+            ("llvmpipe Mesa 25.0.7 (LLVM 15.0.6)", false),
+        ] {
+            let ctx = egui::Context::default();
+            style(&ctx);
+            let facts = PanelFacts {
+                driver,
+                ..facts(&playback, &files, &times)
+            };
+            let input = || egui::RawInput {
+                screen_rect: Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 900.0))),
+                ..Default::default()
+            };
+            let mut says_so = false;
+            // A window finds its size before it shows anything.
+            for _ in 0..3 {
+                let mut output = ctx.run_ui(input(), |ui| show(ui.ctx(), &facts, &mut Vec::new()));
+                says_so = std::mem::take(&mut output.shapes).iter().any(|drawn| {
+                    matches!(&drawn.shape, egui::Shape::Text(text) if text.galley.text() == OLD_LAVAPIPE)
+                });
+                output.drop_without_applying_deltas();
+            }
+            assert_eq!(says_so, is_old, "{driver}");
+        }
     }
 }

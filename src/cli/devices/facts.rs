@@ -1,13 +1,9 @@
 //! What there is to say about a device: what it may have, and what was measured of it.
 
-use crate::{
-    advice::{NO_TRIANGLES, OLD_LAVAPIPE},
-    interrupt::Interrupts,
-    progress,
-};
+use crate::{advice::NO_TRIANGLES, interrupt::Interrupts, progress};
 use ash::{ext, khr};
 use effigy::{
-    quirks::leaves_loops,
+    quirks::{OLD_LAVAPIPE, leaves_loops},
     vulkan::{
         Gpu, GpuOptions, Probe, RendererOptions, Result,
         sort::{choice::choose, sort_choice::SortChoice},
@@ -65,9 +61,7 @@ pub fn optional(probe: &Probe) -> Vec<Optional> {
             "long loops",
             !leaves_loops(&probe.driver),
             "tiles",
-            &format!(
-                "tiles would lose parts of large scenes, and quads are slower: {OLD_LAVAPIPE}"
-            ),
+            OLD_LAVAPIPE,
         ),
         part(
             "swapchain",

@@ -18,6 +18,7 @@ use effigy_core::layout::{
 use glam::{DAffine3, DVec3};
 use std::ops::Range;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Room for pairs at first, for each Gaussian. More is made where it does not do.
 const PAIRS_A_GAUSSIAN: u32 = 4;
@@ -269,7 +270,8 @@ impl Trainer {
 
     /// A step with another loss. `ask` is given the number of a view and its image over its
     /// background, RGB from 0 to 1, and says the derivative of its loss with respect to that, which
-    /// is divided by the number of views; None where it has nothing to say.
+    /// is divided by the number of views; None where it has nothing to say. Where `stop` is set
+    /// before the end nothing is learned, and nothing is returned.
     ///
     /// # Panics
     /// Where [`Self::step`] does, or what is asked has not the image's length.
@@ -277,8 +279,9 @@ impl Trainer {
         &mut self,
         views: &[View],
         options: &StepOptions,
+        stop: &AtomicBool,
         mut ask: impl FnMut(usize, &[[f32; 3]]) -> Option<Vec<[f32; 3]>>,
-    ) -> Result<StepReport> {
+    ) -> Result<Option<StepReport>> {
         self.assert_fits(views);
         self.write(views, options);
         for (number, view) in views.iter().enumerate() {
@@ -297,11 +300,17 @@ impl Trainer {
                 }
                 self.write(views, options);
             }
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
+            }
             if let Some(asked) = ask(number, &self.image(view)?) {
                 assert_eq!(asked.len(), self.pixels(), "what is asked of view {number}");
                 let padded: Vec<[f32; 4]> = asked.iter().map(|&[r, g, b]| [r, g, b, 0.0]).collect();
                 self.per_view.asked.upload(cast_slice(&padded))?;
                 self.write_block(views, number, options, true);
+            }
+            if stop.load(Ordering::Relaxed) {
+                return Ok(None);
             }
             self.gpu.run("a step's derivative", |commands| {
                 Self::record_start(commands);
@@ -312,7 +321,7 @@ impl Trainer {
             Self::record_start(commands);
             self.record_update(commands, views.len());
         })?;
-        self.finish(views, options)
+        self.finish(views, options).map(Some)
     }
 
     /// The images of views over their backgrounds, RGB, as training sees them.

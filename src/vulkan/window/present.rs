@@ -1,4 +1,5 @@
-//! The `present` stage: draws the rendered image, stretched to fill the canvas, over a background.
+//! The `present` stage: draws the rendered image, stretched to fill the canvas, over a colour or a
+//! picture.
 
 use super::pre_transform::PreTransform;
 use crate::vulkan::{
@@ -8,7 +9,7 @@ use crate::vulkan::{
         handle::{Framebuffer, Pipeline, RenderPass, Sampler},
         recording::Recording,
     },
-    memory::Image,
+    memory::{Image, fill_image},
     pipeline::{
         graphics::{self, Attachment, Depth, Drawing},
         set::Set,
@@ -32,6 +33,8 @@ pub struct Present {
     render_pass: RenderPass,
     set: Set,
     sampler: Sampler,
+    /// Behind images that ask for no colour: a texel until there is another.
+    picture: Image,
     /// Of the windows that it draws into.
     pub format: vk::Format,
 }
@@ -52,8 +55,8 @@ pub struct PresentTarget<'a> {
 pub struct PresentedImage {
     /// The drawn part of the image: width and height from its upper left corner, px.
     pub drawn: [u32; 2],
-    /// Display-referred RGB, 0 to 1.
-    pub background: [f32; 3],
+    /// Display-referred RGB, 0 to 1. None: the picture, which must be as large as the canvas.
+    pub background: Option<[f32; 3]>,
 }
 
 impl Present {
@@ -69,7 +72,7 @@ impl Present {
         layout: vk::ImageLayout,
     ) -> Result<Self> {
         let stages = vk::ShaderStageFlags::FRAGMENT;
-        let set = Set::new(gpu, "present", stages, &[(0, IMAGE)], PUSHED)?;
+        let set = Set::new(gpu, "present", stages, &[(0, IMAGE), (1, IMAGE)], PUSHED)?;
         let edge = vk::SamplerAddressMode::CLAMP_TO_EDGE;
         let info = vk::SamplerCreateInfo::default()
             .mag_filter(vk::Filter::LINEAR)
@@ -77,14 +80,18 @@ impl Present {
             .address_mode_u(edge)
             .address_mode_v(edge);
         let render_pass = render_pass(gpu, format, layout)?;
-        Ok(Self {
+        let new = Self {
             gpu: gpu.clone(),
             pipeline: pipeline(gpu, &render_pass, set.layouts.pipeline.raw())?,
             render_pass,
             set,
             sampler: Sampler::with(&gpu.device, &info, "present")?,
+            picture: picture(gpu, [1; 2], &[0; 4])?,
             format,
-        })
+        };
+        // SAFETY: nothing uses it yet, and the picture was filled.
+        unsafe { new.bind(1, &new.picture) };
+        Ok(new)
     }
 
     /// The render pass that it draws in.
@@ -98,6 +105,36 @@ impl Present {
     /// No submitted work may use this. When it is recorded and done, the image must be alive and in
     /// `SHADER_READ_ONLY_OPTIMAL`.
     pub unsafe fn set_image(&self, image: &Image) {
+        // SAFETY: the caller promises what the function asks for.
+        unsafe { self.bind(0, image) };
+    }
+
+    /// Width and height of the picture, px.
+    pub fn picture_size(&self) -> [u32; 2] {
+        self.picture.size
+    }
+
+    /// Has this picture behind images that ask for no colour. `size`: width and height, px.
+    /// `pixels`: RGBA of 8 bits, row by row from the top left; alpha is not looked at.
+    ///
+    /// # Errors
+    /// When the device has no room for it.
+    ///
+    /// # Safety
+    /// No submitted work may use this.
+    ///
+    /// # Panics
+    /// When it has other pixels than its size says.
+    pub unsafe fn set_picture(&mut self, size: [u32; 2], pixels: &[u8]) -> Result<()> {
+        self.picture = picture(&self.gpu, size, pixels)?;
+        // SAFETY: nothing uses it, as the caller promises, and the picture was filled.
+        unsafe { self.bind(1, &self.picture) };
+        Ok(())
+    }
+
+    /// # Safety
+    /// As for [`Self::set_image`].
+    unsafe fn bind(&self, binding: u32, image: &Image) {
         let info = [vk::DescriptorImageInfo {
             sampler: self.sampler.raw(),
             image_view: image.view(),
@@ -105,7 +142,7 @@ impl Present {
         }];
         let write = vk::WriteDescriptorSet::default()
             .dst_set(self.set.raw)
-            .dst_binding(0)
+            .dst_binding(binding)
             .descriptor_type(IMAGE)
             .image_info(&info);
         // SAFETY: the set is not in use, and view and sampler are alive, as the caller promises.
@@ -133,10 +170,26 @@ impl Present {
             .render_area(area);
         let [x, y] = shown.drawn.map(|side| side as f32);
         let [w, h] = canvas.size.map(|side| side as f32);
-        let [r, g, b] = shown.background;
+        let [r, g, b] = shown.background.unwrap_or_default();
+        let has_picture = f32::from(shown.background.is_none());
         let (matrix, origin) = canvas.pre_transform.back(canvas.size);
         let [xx, xy, yx, yy] = matrix.to_cols_array();
-        let constants = [r, g, b, 1.0, xx, xy, yx, yy, origin.x, origin.y, x, y, w, h];
+        let constants = [
+            r,
+            g,
+            b,
+            has_picture,
+            xx,
+            xy,
+            yx,
+            yy,
+            origin.x,
+            origin.y,
+            x,
+            y,
+            w,
+            h,
+        ];
         let device = &self.gpu.raw;
         let raw = commands.raw();
         let point = vk::PipelineBindPoint::GRAPHICS;
@@ -156,6 +209,17 @@ impl Present {
             device.cmd_end_render_pass(raw);
         }
     }
+}
+
+/// A picture on the device, filled.
+fn picture(gpu: &Arc<Gpu>, size: [u32; 2], pixels: &[u8]) -> Result<Image> {
+    let [width, height] = size.map(|side| side as usize);
+    assert_eq!(pixels.len(), 4 * width * height, "a picture has its pixels");
+    let usage = vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_DST;
+    let format = vk::Format::R8G8B8A8_UNORM;
+    let image = Image::new(gpu, "background", size, format, usage)?;
+    fill_image(gpu, &image, pixels)?;
+    Ok(image)
 }
 
 /// One image of a screen, drawn over whole and then shown.

@@ -58,7 +58,10 @@ impl Offscreen {
             size: self.image.size,
             pre_transform: PreTransform::default(),
         };
-        let shown = PresentedImage { drawn, background };
+        let shown = PresentedImage {
+            drawn,
+            background: Some(background),
+        };
         self.present.record(commands, canvas, shown, || ());
     }
 

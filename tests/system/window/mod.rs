@@ -7,7 +7,9 @@ mod drag_source;
 mod session;
 
 use crate::{common::gpu, train};
+use image::imageops::FilterType::CatmullRom;
 use session::{Session, covered};
+use std::path::Path;
 
 /// The background that the tests ask for, and its pixels in a window.
 const BACKGROUND: [u8; 3] = [0, 0, 255];
@@ -172,6 +174,48 @@ fn a_screenshot_is_the_window_without_the_panel() {
         off <= Some(1),
         "{path}: the largest difference to the window is {off:?} of 255"
     );
+    session.quit();
+}
+
+/// What `render` puts behind images is behind them in the window, and covers it after a resize;
+/// colours come and go.
+fn a_picture_is_behind_the_avatar() {
+    let picture = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/images/training.png");
+    let mut session = Session::start(&[
+        "--size",
+        "320x240",
+        "--background",
+        picture.to_str().unwrap(),
+    ]);
+    session.key('h');
+    session.key(' ');
+    let decoded = image::open(&picture).unwrap();
+    for size in [[320, 240], [200, 300]] {
+        session.resize(size);
+        session.wait_for_size(size);
+        session.wait_for_rest();
+        let window = session.read_image();
+        let fitted = decoded
+            .resize_to_fill(size[0], size[1], CatmullRom)
+            .to_rgb8();
+        for at in [[0, 0], [size[0] - 1, 3], [5, size[1] - 1]] {
+            let [a, b] = [&window, &fitted].map(|image| image.get_pixel(at[0], at[1]).0);
+            assert!(
+                a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= 1),
+                "{at:?}: {a:?} {b:?}"
+            );
+        }
+    }
+    let window = session.read_image();
+    session.key('s');
+    let path = session.wait_for_line("saved ");
+    let saved = image::open(&path).unwrap().to_rgb8();
+    let off = saved.as_raw().iter().zip(window.as_raw());
+    let off = off.map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(off <= Some(1), "{path}: {off:?} of 255");
+    session.key('b');
+    session.wait_for_rest();
+    assert!(session.read_image() != window, "the picture stays");
     session.quit();
 }
 
@@ -444,6 +488,7 @@ tests! {
     a_drag_turns_the_avatar_the_wheel_zooms_and_a_key_resets,
     keys_zoom_and_choose_views,
     a_screenshot_is_the_window_without_the_panel,
+    a_picture_is_behind_the_avatar,
     a_lost_surface_and_a_lost_device_are_made_anew,
     a_device_that_is_lost_twice_ends_the_program_with_a_clear_error,
     an_avatar_that_does_not_fit_leaves_the_one_that_is_shown,
