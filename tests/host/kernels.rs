@@ -115,10 +115,8 @@ impl<'a> Walk<'a> {
     }
 
     fn is_image(&self, id: Word) -> bool {
-        let numbers = self.points_to.get(&id).into_iter().flatten();
-        numbers
-            .into_iter()
-            .any(|number| self.bindings[number].is_image)
+        let mut numbers = self.points_to.get(&id).into_iter().flatten();
+        numbers.any(|number| self.bindings[number].is_image)
     }
 
     /// What every binding is used for.
