@@ -5,6 +5,7 @@ use crate::{
     decode::colors,
     left_out::{LeftOut, Reason},
     mask::{MaskFile, fault_of},
+    template::BODY,
 };
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -20,13 +21,8 @@ impl Capture {
         let all = self.pictures();
         let done = AtomicUsize::new(0);
         let mut found: Vec<LeftOut> = Vec::new();
-        let joints: Vec<Vec<DVec3>> = self
-            .frames
-            .iter()
-            .map(|frame| {
-                let joints = self.template.skeleton.joints(&frame.pose);
-                joints.iter().map(|joint| joint.translation).collect()
-            })
+        let joints: Vec<Vec<DVec3>> = (0..self.frames.len())
+            .map(|frame| self.body_joints(frame))
             .collect();
         let mut blind = vec![false; cameras];
         for (camera, blind) in blind.iter_mut().enumerate() {
@@ -79,6 +75,14 @@ impl Capture {
             .collect();
         found.extend(of_pictures);
         found
+    }
+
+    /// Where the joints of a frame's body are, metres: those of hands, which masks may lack, would be
+    /// more than all others.
+    pub(crate) fn body_joints(&self, frame: usize) -> Vec<DVec3> {
+        let joints = self.template.skeleton.joints(&self.frames[frame].pose);
+        let body = joints.iter().take(BODY);
+        body.map(|joint| joint.translation).collect()
     }
 
     /// Where points are in a camera's picture, px, without those outside.

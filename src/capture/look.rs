@@ -11,8 +11,11 @@ use glam::DVec2;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Masks that are looked at, at most, where cameras' masks don't differ in kind.
+/// Masks that are looked at, at least, if there are so many: one of every camera.
 const SAMPLE: usize = 16;
+/// Masks that are looked at, at most, where cameras' masks don't differ in kind: so many cameras are
+/// more than what takes a second.
+const MOST: usize = 64;
 /// Masks of a camera that are enough to tell whether all of its are inverted.
 const FEW: usize = 4;
 /// Cameras that a sentence names, at most.
@@ -80,8 +83,7 @@ impl Capture {
     }
 
     fn look(&self, Opened { shot, file }: Opened) -> Looked {
-        let joints = self.template.skeleton.joints(&self.frames[shot.frame].pose);
-        let joints: Vec<_> = joints.iter().map(|joint| joint.translation).collect();
+        let joints = self.body_joints(shot.frame);
         let camera = &self.cameras[shot.camera];
         Looked {
             mask: file.and_then(|file| file.mask(camera, self.rules[shot.camera])),
@@ -215,11 +217,12 @@ impl Capture {
         if self.pictures() <= SAMPLE {
             return seen.into_iter().flatten().collect();
         }
+        let count = seen.len().clamp(SAMPLE, MOST);
         let turn = |k: usize| {
-            let shots = &seen[k * seen.len().max(SAMPLE) / SAMPLE % seen.len()];
+            let shots = &seen[k * seen.len().max(count) / count % seen.len()];
             shots[hash(k as u64) as usize % shots.len()]
         };
-        (0..SAMPLE).map(turn).collect()
+        (0..count).map(turn).collect()
     }
 
     fn fault(&self, own: &Looked) -> Option<LeftOut> {

@@ -54,8 +54,9 @@ const NAMES: [&str; 15] = [
 ];
 /// How far both hips turn outwards where the file has no canonical pose, degrees.
 const HIPS: f32 = 25.0;
-/// Networks see joints 1 to 21 where the file does not say.
-const BODY: usize = 22;
+/// Joints of the SMPL family's body, before those of face and hands. Networks see all but the first
+/// where the file does not say.
+pub const BODY: usize = 22;
 /// SMPL's head.
 const HEAD: u8 = 15;
 /// Skin weights below this are none.

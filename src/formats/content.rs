@@ -70,7 +70,7 @@ impl Content {
         if start.starts_with(b"\x93NUMPY") || pickle::is_pickle(start) {
             return Some(Self::Capture(CaptureFormat::Smpl));
         }
-        if start.trim_ascii_start().starts_with(b"[") {
+        if splats::is_text_from(start, b'[') {
             return Some(Self::Poses);
         }
         match SplatFormat::of(start, bytes.len() as u64)? {

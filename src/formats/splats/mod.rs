@@ -31,7 +31,7 @@ pub use beside::{Beside, Folder, Nothing};
 pub use effigy_core::io::splats::Found;
 pub use plausible::{BYTES_PER_SPLAT, SMALL};
 pub use read::read;
-pub use recognise::SplatFormat;
+pub use recognise::{SplatFormat, is_text_from};
 pub(crate) use sog::is_sog;
 pub(crate) use spz::{is_packed as is_packed_spz, unpacked_size as unpacked_spz};
 pub use write::{WRITTEN, write};

@@ -56,7 +56,7 @@ impl SplatFormat {
         if start.starts_with(spz::MAGIC) || start.starts_with(&[0x1f, 0x8b]) {
             return Some(Self::Spz);
         }
-        if is_object(start) {
+        if is_text_from(start, b'{') {
             let has = |words: &[&str]| {
                 let text = String::from_utf8_lossy(start);
                 words
@@ -95,9 +95,17 @@ impl SplatFormat {
     }
 }
 
-/// Whether bytes begin as a JSON object: text with a brace.
-fn is_object(start: &[u8]) -> bool {
-    let mut rest = start.iter().filter(|byte| !byte.is_ascii_whitespace());
+/// Whether bytes begin as JSON does that begins with a bracket: as text, which splats are not.
+pub fn is_text_from(start: &[u8], bracket: u8) -> bool {
     let head = &start[..start.len().min(64)];
-    rest.next() == Some(&b'{') && !head.contains(&0)
+    let text = match std::str::from_utf8(head) {
+        Ok(text) => text,
+        // A character that the end cuts.
+        Err(error) if error.error_len().is_none() => {
+            std::str::from_utf8(&head[..error.valid_up_to()]).unwrap_or_default()
+        }
+        Err(_) => return false,
+    };
+    let is_control = |c: char| c.is_control() && !c.is_whitespace();
+    start.trim_ascii_start().first() == Some(&bracket) && !text.contains(is_control)
 }

@@ -262,6 +262,43 @@ fn one_inverted_mask_turns_no_others() {
     assert!(matches!(fault.reason, Reason::InvertedMask), "{fault}");
 }
 
+/// Of more cameras than masks are looked at, too, each is looked at.
+fn every_camera_is_looked_at() {
+    const CAMERAS: usize = 21;
+    let folder = tempfile::tempdir().unwrap();
+    copied(folder.path(), str::to_owned);
+    let calibration = folder.path().join("calibration.json");
+    let text = fs::read_to_string(&calibration).unwrap();
+    let mut cameras: serde_json::Map<String, serde_json::Value> =
+        serde_json::from_str(&text).unwrap();
+    for number in 2..CAMERAS {
+        let name = format!("cam{number:02}");
+        copied(folder.path(), |file| file.replace("cam01", &name));
+        cameras.insert(name, cameras["cam01"].clone());
+    }
+    let text = serde_json::to_string(&cameras).unwrap();
+    for number in 2..CAMERAS {
+        fs::write(&calibration, &text).unwrap();
+        let own = folder.path().join(format!("masks/cam{number:02}"));
+        let files = fs::read_dir(&own).unwrap();
+        let files: Vec<PathBuf> = files.map(|entry| entry.unwrap().path()).collect();
+        for mask in &files {
+            let image = Person::of(mask).grey(|is, _| u8::from(is));
+            fs::remove_file(mask).unwrap();
+            image.save(mask.with_extension("png")).unwrap();
+        }
+        let capture = Capture::read(folder.path()).unwrap();
+        let said = capture.assumptions[0].to_string();
+        assert!(
+            said.contains(&format!("cam{number:02}")),
+            "{number}: {said}"
+        );
+        fs::remove_dir_all(&own).unwrap();
+        let name = format!("masks/cam{number:02}");
+        copied(folder.path(), |file| file.replace("masks/cam01", &name));
+    }
+}
+
 fn masks_that_show_nobody_are_named() {
     use ImageFormat::{Jpeg, Png};
     let cases = [
@@ -345,6 +382,7 @@ tests! {
     masks_of_every_kind_show_the_same_person,
     pictures_may_have_the_mask_themselves,
     one_inverted_mask_turns_no_others,
+    every_camera_is_looked_at,
     masks_that_show_nobody_are_named,
     noise_around_black_and_white_changes_nothing,
 }

@@ -77,6 +77,8 @@ fn binary(columns: &[Column]) -> Vec<u8> {
             match column.kind {
                 "uchar" => bytes.push(value as u8),
                 "ushort" => bytes.extend((value as u16).to_le_bytes()),
+                "short" => bytes.extend((value as i16).to_le_bytes()),
+                "int" => bytes.extend((value as i32).to_le_bytes()),
                 "double" => bytes.extend(value.to_le_bytes()),
                 _ => bytes.extend((value as f32).to_le_bytes()),
             }
@@ -142,6 +144,9 @@ fn colours_without_harmonics_are_read_by_their_type() {
         ("float", ["red", "green", "blue"], 255.0),
         ("float", ["r", "g", "b"], 1.0),
         ("double", ["red", "green", "blue"], 1.0),
+        ("ushort", ["red", "green", "blue"], 255.0),
+        ("short", ["red", "green", "blue"], 32_767.0),
+        ("int", ["red", "green", "blue"], 255.0),
     ] {
         let color = |k: usize| {
             let part = move |row: usize| (row + k) as f64 / 10.0;

@@ -1,12 +1,18 @@
 //! What is wrong with a splat file is named; nothing in it makes the program panic or take memory
 //! that the file does not justify.
 
-use super::{FILES, File, GLB, GLTF, KSPLAT_2, SOG_1, SOG_2, SPZ_2, SPZ_4};
+use super::{FILES, File, GLB, GLTF, KSPLAT_2, SOG_1, SOG_2, SPLAT, SPZ_2, SPZ_4};
 use crate::memory;
-use effigy_formats::splats::{self, Nothing, SplatFormat};
+use effigy_formats::{
+    content::Content,
+    splats::{self, Nothing, SplatFormat},
+};
 use flate2::{Compression, read::GzDecoder, write::GzEncoder};
 use proptest::prelude::*;
-use std::io::{Cursor, Read, Write};
+use std::{
+    io::{Cursor, Read, Write},
+    path::Path,
+};
 use zip::{CompressionMethod, ZipArchive, ZipWriter, write::SimpleFileOptions};
 
 fn fault(bytes: &[u8], format: SplatFormat) -> String {
@@ -374,6 +380,16 @@ fn letters_are_no_splats() {
     assert_eq!(SplatFormat::of(mesh, 32), None);
 }
 
+/// Nothing stands before the first splat of a `.splat`: its x may begin as text of another kind does.
+fn a_first_byte_that_other_files_begin_with_tells_nothing() {
+    for first in *b"[{<#g" {
+        let mut bytes = SPLAT.bytes.to_vec();
+        bytes[0] = first;
+        let content = Content::of(&bytes, Path::new("download"));
+        assert_eq!(content, Content::Splats(SplatFormat::Splat), "{first}");
+    }
+}
+
 /// Bytes of one format read as another.
 fn no_reader_panics_over_another_format() {
     for file in FILES {
@@ -454,6 +470,7 @@ tests! {
     memory_follows_from_the_file_not_from_its_word,
     a_file_that_ends_too_soon_is_refused_wherever_it_ends,
     letters_are_no_splats,
+    a_first_byte_that_other_files_begin_with_tells_nothing,
     no_reader_panics_over_another_format,
     changed_bytes_never_panic,
     changed_contents_never_panic,

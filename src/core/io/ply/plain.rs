@@ -162,11 +162,11 @@ impl Color {
             Self::Plain(columns) => columns,
         };
         let colors: Vec<[f32; 3]> = rows.all(columns);
-        let largest = colors.as_flattened().iter().fold(0f32, |a, &b| a.max(b));
+        let most = most_of(colors.as_flattened());
         let full = match columns[0].declared {
-            Scalar::U8 | Scalar::I8 => 255.0,
-            Scalar::U16 | Scalar::I16 => 65_535.0,
-            _ if largest <= 1.0 => 1.0,
+            Scalar::I16 if most > 255.0 => 32_767.0,
+            Scalar::U16 if most > 255.0 => 65_535.0,
+            Scalar::F32 | Scalar::F64 if most <= 1.0 => 1.0,
             _ => 255.0,
         };
         assumptions.push(Assumption {
@@ -176,6 +176,16 @@ impl Color {
         });
         let coefficient = |c: f32| ((f64::from(c) / full - 0.5) / ShCoefficients::CONSTANT) as f32;
         colors.into_iter().map(|rgb| rgb.map(coefficient)).collect()
+    }
+}
+
+/// What 95 % of some numbers are at most, so that a few broken ones don't count.
+fn most_of(numbers: &[f32]) -> f32 {
+    let mut numbers: Vec<f32> = numbers.iter().copied().filter(|c| c.is_finite()).collect();
+    let at = (numbers.len() * 95 / 100).min(numbers.len().saturating_sub(1));
+    match numbers.is_empty() {
+        true => 0.0,
+        false => *numbers.select_nth_unstable_by(at, f32::total_cmp).1,
     }
 }
 
@@ -239,4 +249,19 @@ pub fn read(rows: &Table, up: Up) -> Result<Found, FormatError> {
         splats,
         assumptions,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::most_of;
+
+    #[test]
+    fn a_few_broken_numbers_decide_nothing() {
+        let mut numbers = vec![0.9; 100];
+        numbers[..4].copy_from_slice(&[1.02, 1e30, f32::INFINITY, f32::NAN]);
+        assert_eq!(most_of(&numbers), 0.9);
+        assert_eq!(most_of(&[0.3, 200.0]), 200.0);
+        assert_eq!(most_of(&[f32::NAN]), 0.0);
+        assert_eq!(most_of(&[]), 0.0);
+    }
 }
