@@ -3,7 +3,7 @@
 use super::{MIXAMO, demo, keep_feet, place, read};
 use effigy_formats::{
     assumption::Assumption,
-    capture::{Capture, UpAxis},
+    capture::{Capture, CaptureJoint, UpAxis},
     retarget,
 };
 use glam::{DVec3, Quat, Vec3};
@@ -150,6 +150,15 @@ fn who_sleeps_is_not_stood_up() {
                 at: Some(Vec3::new(0.0, 0.0, 20.0)),
             });
             assert_eq!(found(&asleep).up, DVec3::Z, "{degrees}°");
+            // The same where y is usual.
+            let aist = Capture {
+                up: UpAxis::Usual {
+                    axis: DVec3::Y,
+                    whose: "AIST++'s files",
+                },
+                ..with_roots(asleep, |_| turned(z_up().inverse()))
+            };
+            assert_eq!(found(&aist).up, DVec3::Y, "{degrees}°");
         }
     }
 }
@@ -177,6 +186,28 @@ fn a_cartwheel_is_upside_down_as_long_as_it_is_not() {
     }
 }
 
+fn who_leans_over_stands_where_the_feet_are() {
+    // Over the ground, all of the body, and on a spot, the trunk alone.
+    let skates = with_roots(walk(AMASS), |at| Root {
+        turn: Quat::from_rotation_x(0.6),
+        at: Some(Vec3::new(0.0, 90.0, 300.0 * at)),
+    });
+    assert_eq!(found(&skates).up, DVec3::Y);
+    let mut rides = with_roots(walk(AMASS), |_| Root {
+        turn: Quat::from_rotation_x(0.6),
+        at: Some(Vec3::ZERO),
+    });
+    let joints = rides.joints.len();
+    let thigh = |joint: &CaptureJoint| joint.name.ends_with("UpLeg");
+    let is_thigh: Vec<bool> = rides.joints.iter().map(thigh).collect();
+    for (at, own) in rides.local.iter_mut().enumerate() {
+        if is_thigh[at % joints] {
+            own.rotation = Quat::from_rotation_x(-0.6) * own.rotation;
+        }
+    }
+    assert_eq!(found(&rides).up, DVec3::Y);
+}
+
 fn a_handstand_and_a_crawl_keep_the_usual_axis() {
     let handstand = with_roots(walk(AMASS), |at| Root {
         turn: if at > 0.6 {
@@ -195,6 +226,11 @@ fn a_handstand_and_a_crawl_keep_the_usual_axis() {
     let Found { up, said, .. } = found(&crawl);
     assert_eq!(up, DVec3::Z);
     assert!(said.is_some_and(|said| said.taken == "z, as AMASS's files have"));
+    let all_the_time = with_roots(walk(AMASS), |_| Root {
+        turn: z_up() * Quat::from_rotation_x(PI),
+        at: Some(Vec3::new(0.0, 0.0, 95.0)),
+    });
+    assert_eq!(found(&all_the_time).up, DVec3::Z);
 }
 
 fn a_cameras_axes_hold_unless_bodies_are_upside_down() {
@@ -262,6 +298,7 @@ tests! {
     who_sleeps_is_not_stood_up,
     few_frames_that_stand_are_enough,
     a_cartwheel_is_upside_down_as_long_as_it_is_not,
+    who_leans_over_stands_where_the_feet_are,
     a_handstand_and_a_crawl_keep_the_usual_axis,
     a_cameras_axes_hold_unless_bodies_are_upside_down,
     what_a_file_says_holds_unless_rest_and_motion_contradict_it,

@@ -137,6 +137,15 @@ fn joint_of<'a>(made: &'a Retargeted, part: &str) -> &'a str {
     &made.report.joints.iter().find(own).unwrap().joint
 }
 
+fn arms_may_be_longer_than_legs() {
+    let text = std::str::from_utf8(NAMELESS).unwrap();
+    let short = text.replace("-410.00000", "-220.00000");
+    assert!(short != text);
+    let made = made(short.as_bytes(), &keep_feet());
+    assert!(["bone 10", "bone 20"].contains(&joint_of(&made, "LeftHand")));
+    assert!(["bone 14", "bone 24"].contains(&joint_of(&made, "LeftFoot")));
+}
+
 /// A forearm that moves alone begins no arm.
 fn an_upper_arm_that_stands_still_is_one() {
     let mut capture = read(NAMELESS).capture;
@@ -328,6 +337,7 @@ tests! {
     ends_of_two_hands_may_differ,
     toes_at_the_ankles_point_where_their_ends_do,
     twist_joints_divide_no_bone,
+    arms_may_be_longer_than_legs,
     an_upper_arm_that_stands_still_is_one,
     names_of_mikumikudance_are_known,
     names_in_other_encodings_do_not_break_the_tree,
