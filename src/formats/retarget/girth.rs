@@ -119,7 +119,7 @@ impl Girth {
     /// Measures the skin of an avatar; None: it has no body.
     pub fn of_skin(skin: Skin) -> Option<Self> {
         let tree = super::tree::Tree::of_skeleton(skin.skeleton);
-        let body = Humanoid::find(&tree, &[]).ok()?;
+        let body = Humanoid::find(&tree, None, &[]).ok()?;
         let points = Points::of(skin);
         let trunk = [body.hips].into_iter().chain(body.spine.iter().copied());
         let sections = trunk.filter_map(|joint| section(&points, joint)).collect();

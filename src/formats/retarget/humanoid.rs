@@ -6,6 +6,7 @@ use super::{
     shape,
     tree::Tree,
 };
+use crate::capture::Capture;
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::DVec3;
 
@@ -83,15 +84,19 @@ fn joints_of(parts: &[Option<Part>], part: Part) -> impl Iterator<Item = usize> 
 
 impl Humanoid {
     /// Finds a body. `corrections` go before names, names before the tree's shape; a body with legs
-    /// goes before one without.
+    /// goes before one without. `motion`: how the tree moves, where that is known.
     ///
     /// # Errors
     /// When no two arms and a head are found, or a correction names no part or joint.
-    pub fn find(tree: &Tree, corrections: &[Correction]) -> Result<Self, FormatError> {
+    pub fn find(
+        tree: &Tree,
+        motion: Option<&Capture>,
+        corrections: &[Correction],
+    ) -> Result<Self, FormatError> {
         let mut parts = names::parts(&tree.names);
         let mut found = Self::of_parts(tree, &parts);
         if found.as_ref().is_none_or(|body| body.legs.is_none())
-            && let Some(by_shape) = shape::parts(tree)
+            && let Some(by_shape) = shape::parts(tree, motion)
             && let Some(body) = Self::of_parts(tree, &by_shape)
         {
             parts = by_shape;

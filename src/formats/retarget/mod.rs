@@ -1,7 +1,7 @@
 //! Moves an avatar as a capture of any other body moves.
 //!
 //! 1. `humanoid` finds hips, spine, limbs and head in both skeletons, by names (`names`) or by the
-//!    tree's shape (`shape`).
+//!    tree's shape (`shape`) and what moves (`chain`).
 //! 2. `standing` finds the axis that points up, `upright` turns the file's axes, and `align` finds how its joints stand when the avatar is in
 //!    its rest pose.
 //! 3. `transfer` gives each joint of the avatar the rotation of its counterpart; legs' lengths are
@@ -13,6 +13,7 @@
 
 mod align;
 mod arms;
+mod chain;
 mod curl;
 mod feet;
 mod girth;
@@ -40,6 +41,7 @@ pub use upright::Unit;
 use crate::{assumption::Assumption, capture::Capture};
 use align::{Alignment, Bodies};
 use arms::{Body, Depths};
+use chain::Joints;
 use effigy_core::{
     avatar::{Clip, Pose, Skeleton, motion::Player},
     io::file::FormatError,
@@ -169,7 +171,7 @@ struct Match<'a> {
     /// Metres of the avatar a unit of the file.
     scale: f64,
     /// The capture's limbs as its motion shows them.
-    limbs: Vec<moving::Joints>,
+    limbs: Vec<Joints>,
     assumptions: Vec<Assumption>,
 }
 
@@ -191,8 +193,8 @@ impl<'a> Match<'a> {
     ) -> Result<Self, FormatError> {
         let tree = Tree::of_capture(capture);
         let target_tree = Tree::of_skeleton(skeleton);
-        let source = Humanoid::find(&tree, corrections)?;
-        let target = Humanoid::find(&target_tree, &[]).ok();
+        let source = Humanoid::find(&tree, Some(capture), corrections)?;
+        let target = Humanoid::find(&target_tree, None, &[]).ok();
         let whole = target.and_then(|target| Some((target.legs.clone()?, target)));
         let (target_legs, target) = whole.ok_or_else(|| {
             FormatError::container(
@@ -226,7 +228,7 @@ impl<'a> Match<'a> {
                 "units from a tenth of a millimetre to kilometres",
             ));
         }
-        let limbs = moving::limbs(&tree, &source, &upright);
+        let limbs = moving::limbs(&tree, &source, capture);
         assumptions.extend(limbs.doubts);
         Ok(Self {
             skeleton,

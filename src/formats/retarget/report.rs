@@ -2,9 +2,9 @@
 
 use super::{
     align::Basis,
+    chain::Joints,
     feet::{Soles, Track},
     humanoid::{Humanoid, Leg},
-    moving::Joints,
     tree,
     upright::Unit,
 };

@@ -14,13 +14,19 @@ use glam::DVec3;
 
 /// Cosine of how far a trunk that stands leans at most.
 const LEAN: f64 = 0.75;
+/// Cosine of how far bodies that stand lean on average at most, from feet to neck: who lies across two
+/// axes leans further.
+const MEAN_LEAN: f64 = 0.87;
 /// How far ankles are below the hips of somebody who stands, of the legs' length.
 const FEET: f64 = 0.35;
 /// Shares of frames.
 const NEARLY_ALL: f64 = 0.9;
 const MOST: f64 = 0.6;
+const OFTEN: f64 = 0.3;
 const SOME: f64 = 0.1;
 const HARDLY_ANY: f64 = 0.05;
+/// The axes that files of SMPL's family may have up: y of the model, y down of cameras, z of AMASS.
+const LIKELY: [DVec3; 3] = [DVec3::Y, DVec3::Z, DVec3::NEG_Y];
 /// How much further one floor moves than another before that tells, in lengths of the trunk.
 const STEADY: f64 = 0.5;
 
@@ -53,7 +59,10 @@ pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> Up {
         }
         UpAxis::Usual { axis, whose } => standing.usual(axis, whose),
         UpAxis::Open => match rest() {
-            Some(axis) => standing.instead(axis, standing.travels(axis), "its rest pose has"),
+            Some(axis) => {
+                let other = standing.travels(axis).or_else(|| standing.walks(axis));
+                standing.instead(axis, other, "its rest pose has")
+            }
             None => standing.open(),
         },
     }
@@ -63,9 +72,13 @@ pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> Up {
 struct Standing {
     /// Share of the frames.
     share: [f64; 6],
+    /// Whether bodies are upright on average in these frames.
+    upright: [bool; 6],
     /// How far the lowest point of the body along the axis moves, but for a twentieth of the frames
     /// at either end and in lengths of the trunk: the ground stays where it is.
     floor: [f64; 6],
+    /// The same along each axis while bodies stand along another, which is first.
+    floors: [[f64; 6]; 6],
     /// Sum of the trunk's directions.
     trunks: DVec3,
 }
@@ -75,14 +88,16 @@ fn place(axis: DVec3) -> usize {
 }
 
 fn name(axis: DVec3) -> &'static str {
-    ["x", "-x", "y", "-y", "z", "-z"][place(axis)]
+    ["y", "z", "-y", "-z", "x", "-x"][place(axis)]
 }
 
 impl Standing {
     fn of(capture: &Capture, humanoid: &Humanoid) -> Self {
         let body = body(humanoid);
-        let mut count = [0.0; 6];
         let mut lowest: [Vec<f64>; 6] = Default::default();
+        // Of the frames that stand along each axis, the lowest points along all.
+        let mut while_standing: [[Vec<f64>; 6]; 6] = Default::default();
+        let mut toward = [DVec3::ZERO; 6];
         let mut lengths = 0.0;
         let mut trunks = DVec3::ZERO;
         let frames = spread(capture.frames());
@@ -95,18 +110,30 @@ impl Standing {
             let length = humanoid.leg_length(&at).unwrap_or_default();
             trunks += along;
             lengths += trunk.length();
+            let low = AXES.map(|axis| {
+                let heights = body.iter().map(|&joint| at[joint].dot(axis));
+                heights.fold(f64::INFINITY, f64::min)
+            });
+            push(&mut lowest, low);
             for (place, axis) in AXES.into_iter().enumerate() {
                 let legs_stand = legs.is_none_or(|legs| legs.dot(axis) > FEET * length);
-                count[place] += f64::from(u8::from(along.dot(axis) > LEAN && legs_stand));
-                let heights = body.iter().map(|&joint| at[joint].dot(axis));
-                lowest[place].push(heights.fold(f64::INFINITY, f64::min));
+                if along.dot(axis) > LEAN && legs_stand {
+                    toward[place] += trunk + legs.unwrap_or_default();
+                    push(&mut while_standing[place], low);
+                }
             }
         }
         let frames = frames.count() as f64;
-        let trunk = lengths / frames;
+        let trunk = (lengths / frames).max(f64::MIN_POSITIVE);
+        let leans = |place: usize| toward[place].normalize_or_zero().dot(AXES[place]);
+        let share = |place: usize| while_standing[place][place].len() as f64 / frames;
+        let share = std::array::from_fn(share);
+        let floor = |heights| range(heights) / trunk;
         Self {
-            share: count.map(|count| count / frames),
-            floor: lowest.map(|heights| range(heights) / trunk.max(f64::MIN_POSITIVE)),
+            share,
+            upright: std::array::from_fn(|place| leans(place) > MEAN_LEAN),
+            floor: lowest.map(floor),
+            floors: while_standing.map(|lowest| lowest.map(floor)),
             trunks,
         }
     }
@@ -115,20 +142,20 @@ impl Standing {
         self.floor[place(axis)] + STEADY < self.floor[place(other)]
     }
 
-    /// The axis that bodies stand along: of those of some frames the one whose ground is steadiest,
-    /// else that of the most frames.
-    fn best(&self) -> Option<DVec3> {
-        let often = AXES
-            .into_iter()
-            .filter(|axis| self.share[place(*axis)] >= SOME);
+    /// The axis of these that bodies stand along: of those of some frames the one whose ground is
+    /// steadiest, else that of the most frames; of as many the first.
+    fn best(&self, axes: &[DVec3]) -> Option<DVec3> {
+        let share = |axis: &DVec3| self.share[place(*axis)];
+        let often = axes.iter().copied().filter(|axis| share(axis) >= SOME);
         let mut steadiest = often.clone().filter(|axis| {
             let mut others = often.clone().filter(|other| other != axis);
             others.all(|other| self.steadier(*axis, other))
         });
-        let share = |axis: &DVec3| self.share[place(*axis)];
-        steadiest
-            .next()
-            .or_else(|| often.clone().max_by(|a, b| share(a).total_cmp(&share(b))))
+        let more = |best, axis| {
+            let more = share(&axis) > share(&best) + HARDLY_ANY;
+            if more { axis } else { best }
+        };
+        steadiest.next().or_else(|| often.clone().reduce(more))
     }
 
     /// Whether most frames stand along one axis, and hardly any along another.
@@ -140,7 +167,16 @@ impl Standing {
     /// not. Somebody who lies still in all frames does not.
     fn travels(&self, other: DVec3) -> Option<DVec3> {
         let travels = |axis: &DVec3| self.mostly(*axis, other) && self.steadier(*axis, other);
-        self.best().filter(travels)
+        self.best(&AXES).filter(travels)
+    }
+
+    /// An axis whose ground bodies walk over while they stand along it, which is not that of another
+    /// axis. Somebody who lies down does not.
+    fn walks(&self, other: DVec3) -> Option<DVec3> {
+        AXES.into_iter().find(|&axis| {
+            let floors = &self.floors[place(axis)];
+            self.share[place(axis)] >= OFTEN && floors[place(axis)] + STEADY < floors[place(other)]
+        })
     }
 
     /// The opposite of an axis, if nearly all frames stand along it and hardly any the right way up.
@@ -152,7 +188,7 @@ impl Standing {
     /// An axis, or another that goes before it. Says which, where bodies stand along another.
     fn instead(&self, axis: DVec3, other: Option<DVec3>, who: &str) -> Up {
         let taken = other.unwrap_or(axis);
-        let stand = other.or_else(|| self.best().filter(|&best| self.mostly(best, axis)));
+        let stand = other.or_else(|| self.best(&AXES).filter(|&best| self.mostly(best, axis)));
         let assumption = stand.map(|stand| Assumption {
             what: "up axis",
             taken: name(taken).into(),
@@ -169,13 +205,19 @@ impl Standing {
         }
     }
 
-    /// The axis that files of a kind usually have: bodies that stand along another go before it.
+    /// The axis that files of a kind usually have: bodies that stand along another likely one go
+    /// before it, along others only if they travel; who stands so in place lies.
     fn usual(&self, axis: DVec3, whose: &str) -> Up {
+        let upright = |axis: DVec3| self.upright[place(axis)];
         let stand = self.share.iter().sum::<f64>() >= MOST;
-        let elsewhere = stand && self.share[place(axis)] < HARDLY_ANY;
-        let other = self
-            .best()
-            .filter(|&best| (elsewhere && !self.steadier(axis, best)) || self.steadier(best, axis));
+        let usually = upright(axis) && self.share[place(axis)] >= HARDLY_ANY;
+        let elsewhere = |other: DVec3| stand && !usually && !self.steadier(axis, other);
+        let mut likely = LIKELY.to_vec();
+        likely.retain(|&other| upright(other) || self.steadier(other, axis));
+        let other = self.best(&likely).or_else(|| self.best(&AXES));
+        let is_likely = |other: DVec3| likely.contains(&other);
+        let other = other
+            .filter(|&other| self.steadier(other, axis) || (is_likely(other) && elsewhere(other)));
         let who = format!("{whose} have");
         let mut up = self.instead(axis, other.filter(|&other| other != axis), &who);
         if up.axis == axis && self.share[place(axis)] < SOME {
@@ -190,7 +232,7 @@ impl Standing {
 
     /// The axis of a file that says nothing.
     fn open(&self) -> Up {
-        if let Some(axis) = self.best() {
+        if let Some(axis) = self.best(&AXES) {
             return Up {
                 axis,
                 assumption: None,
@@ -220,6 +262,13 @@ fn body(humanoid: &Humanoid) -> Vec<usize> {
     let legs = legs.flat_map(|leg| [leg.shin, leg.foot, leg.toe.unwrap_or(leg.foot)]);
     let trunk = [humanoid.hips, humanoid.head];
     trunk.into_iter().chain(arms).chain(legs).collect()
+}
+
+/// A value to each of some lists.
+fn push(lists: &mut [Vec<f64>; 6], values: [f64; 6]) {
+    for (list, value) in lists.iter_mut().zip(values) {
+        list.push(value);
+    }
 }
 
 /// From the lowest value to the highest, but for a twentieth at either end.

@@ -33,14 +33,14 @@ fn stands(humanoid: &Humanoid, at: &[DVec3], up: DVec3) -> bool {
         })
 }
 
-/// The axes of a file, either way: an axis is next to its opposite.
+/// The axes of a file, either way, those first that more files have up.
 pub const AXES: [DVec3; 6] = [
+    DVec3::Y,
+    DVec3::Z,
+    DVec3::NEG_Y,
+    DVec3::NEG_Z,
     DVec3::X,
     DVec3::NEG_X,
-    DVec3::Y,
-    DVec3::NEG_Y,
-    DVec3::Z,
-    DVec3::NEG_Z,
 ];
 
 /// The axis along which the rest pose stands, which need not be the motion's: SMPL rests with y up

@@ -3,7 +3,7 @@
 use super::{MIXAMO, demo, keep_feet, place, read};
 use effigy_formats::{
     assumption::Assumption,
-    capture::{Capture, UpAxis},
+    capture::{Capture, CaptureJoint, UpAxis},
     retarget,
 };
 use glam::{DVec3, Quat, Vec3};
@@ -88,14 +88,20 @@ fn bodies_stand_along_whichever_axis_they_stand_along_in_the_file() {
                 turn,
                 at: in_place.then_some(Vec3::ZERO),
             });
-            let Found {
-                up: own,
-                said,
-                height,
-            } = found(&capture);
-            assert_eq!(own, up);
-            assert!(height > 0.9, "{height}");
-            assert_eq!(said.is_none(), up == DVec3::Z, "{said:?}");
+            // Nobody writes x or -z up: who does not travel along it lies or stands on the hands.
+            let stands = [DVec3::Y, DVec3::NEG_Y, DVec3::Z].contains(&up);
+            if stands || (!in_place && up != DVec3::NEG_Z) {
+                let Found {
+                    up: own,
+                    said,
+                    height,
+                } = found(&capture);
+                assert_eq!(own, up);
+                assert!(height > 0.9, "{height}");
+                assert_eq!(said.is_none(), up == DVec3::Z, "{said:?}");
+            } else {
+                assert_eq!(found(&capture).up, DVec3::Z, "{up}");
+            }
             let open = Capture {
                 up: UpAxis::Open,
                 ..capture
@@ -132,6 +138,76 @@ fn who_lies_down_for_a_while_is_not_stood_up() {
     }
 }
 
+/// Along a file's axis or across two, on the back or the side.
+fn who_sleeps_is_not_stood_up() {
+    // From a trunk along y to one along x and, by degrees, to one along -y.
+    for degrees in [0.0_f32, 15.0, 35.0, 40.0, 50.0, 145.0, 180.0, 220.0_f32] {
+        for roll in [0.0, FRAC_PI_2] {
+            let lies = Quat::from_rotation_z(degrees.to_radians() - FRAC_PI_2)
+                * Quat::from_rotation_y(roll);
+            let asleep = with_roots(walk(AMASS), |_| Root {
+                turn: lies,
+                at: Some(Vec3::new(0.0, 0.0, 20.0)),
+            });
+            assert_eq!(found(&asleep).up, DVec3::Z, "{degrees}°");
+            // The same where y is usual.
+            let aist = Capture {
+                up: UpAxis::Usual {
+                    axis: DVec3::Y,
+                    whose: "AIST++'s files",
+                },
+                ..with_roots(asleep, |_| turned(z_up().inverse()))
+            };
+            assert_eq!(found(&aist).up, DVec3::Y, "{degrees}°");
+        }
+    }
+}
+
+/// For most of the frames; those who stand tell.
+fn few_frames_that_stand_are_enough() {
+    let lies = with_roots(walk(AMASS), |at| Root {
+        turn: if at < 0.85 {
+            Quat::from_rotation_z(FRAC_PI_2)
+        } else {
+            Quat::IDENTITY
+        },
+        at: None,
+    });
+    assert_eq!(found(&lies).up, DVec3::Y);
+}
+
+fn a_cartwheel_is_upside_down_as_long_as_it_is_not() {
+    for times in [1.0, 2.0, 3.0] {
+        let wheel = with_roots(walk(AMASS), |at| Root {
+            turn: Quat::from_rotation_z(times * 2.0 * PI * at),
+            at: Some(Vec3::new(0.0, 95.0, 160.0 * at)),
+        });
+        assert_eq!(found(&wheel).up, DVec3::Y);
+    }
+}
+
+fn who_leans_over_stands_where_the_feet_are() {
+    // Over the ground, all of the body, and on a spot, the trunk alone.
+    let skates = with_roots(walk(AMASS), |at| Root {
+        turn: Quat::from_rotation_x(0.6),
+        at: Some(Vec3::new(0.0, 90.0, 300.0 * at)),
+    });
+    assert_eq!(found(&skates).up, DVec3::Y);
+    let mut rides = with_roots(walk(AMASS), |_| Root {
+        turn: Quat::from_rotation_x(0.6),
+        at: Some(Vec3::ZERO),
+    });
+    let joints = rides.joints.len();
+    let thigh = |joint: &CaptureJoint| joint.name.ends_with("UpLeg");
+    let is_thigh: Vec<bool> = rides.joints.iter().map(thigh).collect();
+    for (at, own) in rides.local.iter_mut().enumerate() {
+        if is_thigh[at % joints] {
+            own.rotation = Quat::from_rotation_x(-0.6) * own.rotation;
+        }
+    }
+    assert_eq!(found(&rides).up, DVec3::Y);
+}
+
 fn a_handstand_and_a_crawl_keep_the_usual_axis() {
     let handstand = with_roots(walk(AMASS), |at| Root {
         turn: if at > 0.6 {
@@ -150,6 +226,11 @@ fn a_handstand_and_a_crawl_keep_the_usual_axis() {
     let Found { up, said, .. } = found(&crawl);
     assert_eq!(up, DVec3::Z);
     assert!(said.is_some_and(|said| said.taken == "z, as AMASS's files have"));
+    let all_the_time = with_roots(walk(AMASS), |_| Root {
+        turn: z_up() * Quat::from_rotation_x(PI),
+        at: Some(Vec3::new(0.0, 0.0, 95.0)),
+    });
+    assert_eq!(found(&all_the_time).up, DVec3::Z);
 }
 
 fn a_cameras_axes_hold_unless_bodies_are_upside_down() {
@@ -194,11 +275,30 @@ fn what_a_file_says_holds_unless_rest_and_motion_contradict_it() {
     let Found { up, said, .. } = found(&other);
     assert_eq!(up, DVec3::Z);
     assert!(said.is_some_and(|said| said.because.contains("its rest pose has y")));
+    // Who lies most of the time walks over it as well.
+    for (upright, up) in [(z_up(), DVec3::Z), (z_up().inverse(), DVec3::NEG_Z)] {
+        let lies = Capture {
+            up: UpAxis::Open,
+            ..with_roots(with_rest(DVec3::Y), |at| Root {
+                turn: if at < 0.6 {
+                    upright * Quat::from_rotation_x(-FRAC_PI_2)
+                } else {
+                    upright
+                },
+                at: Some(upright * Vec3::new(0.0, if at < 0.6 { 12.0 } else { 90.0 }, 400.0 * at)),
+            })
+        };
+        assert_eq!(found(&lies).up, up);
+    }
 }
 
 tests! {
     bodies_stand_along_whichever_axis_they_stand_along_in_the_file,
     who_lies_down_for_a_while_is_not_stood_up,
+    who_sleeps_is_not_stood_up,
+    few_frames_that_stand_are_enough,
+    a_cartwheel_is_upside_down_as_long_as_it_is_not,
+    who_leans_over_stands_where_the_feet_are,
     a_handstand_and_a_crawl_keep_the_usual_axis,
     a_cameras_axes_hold_unless_bodies_are_upside_down,
     what_a_file_says_holds_unless_rest_and_motion_contradict_it,

@@ -4,10 +4,10 @@
 use super::{MIXAMO, NAMELESS, Shown, demo, keep_feet, made, read, worst_bone};
 use effigy_core::avatar::Pose;
 use effigy_formats::{
-    capture::Capture,
+    capture::{Capture, CaptureJoint, LocalPose},
     retarget::{self, Correction, RetargetOptions, Retargeted},
 };
-use glam::DVec3;
+use glam::{DQuat, DVec3, Quat};
 
 fn worst(retargeted: &Retargeted, z_up: bool) -> f64 {
     worst_bone(&Shown::read(), &demo().skeleton, &retargeted.clip, z_up).degrees
@@ -16,13 +16,18 @@ fn worst(retargeted: &Retargeted, z_up: bool) -> f64 {
 /// A forearm has 250 mm, an upper arm 280.
 fn a_long_end_of_a_hand_is_no_forearm() {
     let text = std::str::from_utf8(NAMELESS).unwrap();
-    for end in ["10.0", "50.0", "140.0", "160.0", "190.0", "240.0"] {
+    for end in [
+        "10.0", "50.0", "140.0", "160.0", "190.0", "240.0", "290.0", "300.0", "600.0",
+    ] {
         let longer = text.replace("90.00000 0.00000 0.0", &format!("{end} 0.00000 0.0"));
         assert!(longer != text, "{end}");
         let retargeted = made(longer.as_bytes(), &keep_feet());
         let off = worst(&retargeted, true);
         assert!(off < 0.1, "{end} mm: {off}°");
         assert!(retargeted.report.directions.max < 0.1);
+        for part in ["LeftHand", "RightHand"] {
+            assert!(!joint_of(&retargeted, part).ends_with("end"), "{end} mm");
+        }
         assert!(
             retargeted.assumptions.is_empty(),
             "{:?}",
@@ -41,6 +46,121 @@ fn a_long_collar_bone_is_no_upper_arm() {
         let off = worst(&made(wider.as_bytes(), &keep_feet()), true);
         assert!(off < 0.1, "{wide} mm: {off}°");
     }
+}
+
+/// 220 mm of a collar bone beside 220 and 200 mm of an arm.
+fn what_turns_goes_before_what_is_long() {
+    let mut text = std::str::from_utf8(NAMELESS).unwrap().to_owned();
+    for [was, is] in [
+        ["140", "220"],
+        ["280", "220"],
+        ["250", "200"],
+        ["90", "200"],
+    ] {
+        text = text.replace(
+            &format!("{was}.00000 0.00000"),
+            &format!("{is}.00000 0.00000"),
+        );
+    }
+    assert!(worst(&made(text.as_bytes(), &keep_feet()), true) < 0.1);
+}
+
+fn ends_of_two_hands_may_differ() {
+    let text = std::str::from_utf8(NAMELESS).unwrap();
+    let other = text.replacen("90.00000 0.00000 0.0", "300.00000 0.00000 0.0", 1);
+    assert!(other != text);
+    assert!(worst(&made(other.as_bytes(), &keep_feet()), true) < 0.1);
+}
+
+fn toes_at_the_ankles_point_where_their_ends_do() {
+    let text = std::str::from_utf8(NAMELESS).unwrap();
+    let short = text.replace("0.00000 130.00000 -60.00000", "0.00000 0.00000 0.00000");
+    assert!(short != text);
+    assert!(worst(&made(short.as_bytes(), &keep_feet()), true) < 0.1);
+}
+
+/// A capture with another joint half way to some of its joints.
+fn with_twists(mut capture: Capture, names: &[&str]) -> Capture {
+    for name in names {
+        let count = capture.joints.len();
+        let own = |joint: &CaptureJoint| joint.name == *name;
+        let at = capture.joints.iter().position(own).unwrap();
+        for joint in &mut capture.joints[at..] {
+            joint.parent = joint
+                .parent
+                .map(|parent| parent + usize::from(parent >= at));
+        }
+        let mut twist = capture.joints[at].clone();
+        twist.name = format!("{name} twist");
+        twist.offset /= 2.0;
+        twist.rest = DQuat::IDENTITY;
+        capture.joints[at].offset /= 2.0;
+        capture.joints[at].parent = Some(at);
+        capture.joints.insert(at, twist);
+        let local = capture.local.chunks_exact(count).flat_map(|frame| {
+            let mut frame = frame.to_vec();
+            frame[at].offset /= 2.0;
+            let twist = LocalPose {
+                rotation: Quat::IDENTITY,
+                offset: frame[at].offset,
+            };
+            frame.insert(at, twist);
+            frame
+        });
+        capture.local = local.collect();
+    }
+    capture
+}
+
+fn twist_joints_divide_no_bone() {
+    let elbows = ["bone 09", "bone 19"];
+    let wrists = ["bone 10", "bone 20"];
+    let knees = ["bone 13", "bone 23"];
+    let ankles = ["bone 14", "bone 24"];
+    let all = [elbows, wrists, knees, ankles].concat();
+    for names in [&elbows[..], &wrists, &knees, &ankles, &all] {
+        let capture = with_twists(read(NAMELESS).capture, names);
+        let made = retarget::retarget(&capture, &demo().skeleton, "x", &keep_feet()).unwrap();
+        let off = worst(&made, true);
+        assert!(off < 0.1, "{names:?}: {off}°");
+        assert!(made.assumptions.is_empty(), "{:?}", made.assumptions);
+        for part in ["LeftHand", "RightHand", "LeftFoot", "RightFoot"] {
+            let joint = joint_of(&made, part);
+            let ends = [wrists, ankles].concat();
+            assert!(ends.contains(&joint), "{names:?}: {part} is {joint}");
+        }
+    }
+}
+
+fn joint_of<'a>(made: &'a Retargeted, part: &str) -> &'a str {
+    let own = |guess: &&retarget::JointGuess| guess.part == part;
+    &made.report.joints.iter().find(own).unwrap().joint
+}
+
+fn arms_may_be_longer_than_legs() {
+    let text = std::str::from_utf8(NAMELESS).unwrap();
+    let short = text.replace("-410.00000", "-220.00000");
+    assert!(short != text);
+    let made = made(short.as_bytes(), &keep_feet());
+    assert!(["bone 10", "bone 20"].contains(&joint_of(&made, "LeftHand")));
+    assert!(["bone 14", "bone 24"].contains(&joint_of(&made, "LeftFoot")));
+}
+
+/// A forearm that moves alone begins no arm.
+fn an_upper_arm_that_stands_still_is_one() {
+    let mut capture = read(NAMELESS).capture;
+    let count = capture.joints.len();
+    let first = capture.local[..count].to_vec();
+    for name in ["bone 08", "bone 18"] {
+        let own = |joint: &CaptureJoint| joint.name == name;
+        let at = capture.joints.iter().position(own).unwrap();
+        for frame in capture.local.chunks_exact_mut(count) {
+            frame[at] = first[at];
+        }
+    }
+    let made = retarget::retarget(&capture, &demo().skeleton, "x", &keep_feet()).unwrap();
+    let uppers = ["LeftArm", "RightArm"].map(|part| joint_of(&made, part));
+    assert!(uppers == ["bone 08", "bone 18"] || uppers == ["bone 18", "bone 08"]);
 }
 
 const JAPANESE: [[&str; 2]; 18] = [
@@ -213,6 +333,12 @@ fn the_report_sees_an_arm_that_is_shifted_by_a_joint() {
 tests! {
     a_long_end_of_a_hand_is_no_forearm,
     a_long_collar_bone_is_no_upper_arm,
+    what_turns_goes_before_what_is_long,
+    ends_of_two_hands_may_differ,
+    toes_at_the_ankles_point_where_their_ends_do,
+    twist_joints_divide_no_bone,
+    arms_may_be_longer_than_legs,
+    an_upper_arm_that_stands_still_is_one,
     names_of_mikumikudance_are_known,
     names_in_other_encodings_do_not_break_the_tree,
     a_body_without_legs_moves_the_arms_and_rests_the_legs,
