@@ -13,8 +13,8 @@
 
 use super::{
     humanoid::{Arm, Humanoid},
-    tree::{Tree, positions, rotations},
-    upright::{self, Upright, spread},
+    tree::{Tree, positions, rotations, spread},
+    upright::{self, Upright},
 };
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 

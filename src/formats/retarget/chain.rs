@@ -3,7 +3,7 @@
 //! An upper arm or a thigh is long and turns against the trunk. Collar bones are short and hardly turn.
 //! Joints that never bend, as twist joints, divide no bone.
 
-use super::{tree::positions, upright::spread};
+use super::tree::{positions, spread};
 use crate::capture::Capture;
 use glam::DVec3;
 

@@ -3,8 +3,8 @@
 
 use super::{
     humanoid::Humanoid,
-    tree::positions,
-    upright::{AXES, rest_up, spread},
+    tree::{positions, spread},
+    upright::{AXES, rest_up},
 };
 use crate::{
     assumption::Assumption,

@@ -4,6 +4,15 @@ use crate::capture::Capture;
 use effigy_core::avatar::Skeleton;
 use glam::{DAffine3, DQuat, DVec3};
 
+/// Frames that are looked at, spread over the capture.
+pub const LOOKED_AT: usize = 400;
+
+/// Indices of at most [`LOOKED_AT`] frames.
+pub fn spread(frames: usize) -> impl Iterator<Item = usize> + Clone {
+    let count = frames.min(LOOKED_AT);
+    (0..count).map(move |at| at * frames / count)
+}
+
 /// Names, parents and places of joints. Parents come before their children.
 #[derive(Clone, Debug)]
 pub struct Tree {

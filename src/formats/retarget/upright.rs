@@ -4,15 +4,6 @@ use super::{humanoid::Humanoid, tree::positions};
 use crate::capture::Capture;
 use glam::{DAffine3, DQuat, DVec3};
 
-/// Frames that are looked at, spread over the capture.
-pub const LOOKED_AT: usize = 400;
-
-/// Indices of at most [`LOOKED_AT`] frames.
-pub fn spread(frames: usize) -> impl Iterator<Item = usize> + Clone {
-    let count = frames.min(LOOKED_AT);
-    (0..count).map(move |at| at * frames / count)
-}
-
 /// From between the feet to the head; without legs, from the hips.
 fn feet_to_head(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
     let feet = humanoid.middle_of_feet(at);
