@@ -109,7 +109,7 @@ pub use effigy_core::{
     avatar::{Avatar, Clip, Pose, Skeleton, motion::Player},
     frame::{
         ColorFormat, FrameReport, KeyBits, RasterMethod, RendererOptions, Schedule, Skip,
-        SortVariant, TileKernel, preset::Preset,
+        SortVariant, preset::Preset,
     },
     glam,
     io::file::{FileError, FormatError},

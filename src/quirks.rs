@@ -1,19 +1,5 @@
 //! Faults and fast paths of drivers that no query tells, by the names of drivers and devices.
 
-use effigy_core::frame::RasterMethod;
-
-/// Returns the faster method for a device (docs/experiments/023): tiles on CPU drivers, which gain
-/// from every fragment that is skipped, except on those that run the kernels of tiles wrongly;
-/// quads on GPUs. `device`: its name, see [`draws_triangles`]. `driver`: its name and build, as the
-/// device reports them.
-pub fn recommended_method(is_cpu: bool, device: &str, driver: &str) -> RasterMethod {
-    if (is_cpu && !leaves_loops(driver)) || !draws_triangles(device) {
-        RasterMethod::Tiles
-    } else {
-        RasterMethod::Quads
-    }
-}
-
 /// Whether a device draws triangles, by its name. llvmpipe at 512 bits ends the program that does:
 /// any program, with Mesa 22.3 and 25.0.
 pub fn draws_triangles(device: &str) -> bool {
@@ -48,34 +34,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tiles_are_for_cpu_drivers_that_run_them_right() {
-        for (driver, method) in [
-            ("llvmpipe Mesa 25.0.7 (LLVM 15.0.6)", RasterMethod::Tiles),
-            (
-                "llvmpipe Mesa 26.1.0-devel (git-0123456789)",
-                RasterMethod::Tiles,
-            ),
-            ("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)", RasterMethod::Quads),
-            ("llvmpipe", RasterMethod::Quads),
-            ("SwiftShader driver", RasterMethod::Tiles),
+    fn only_old_llvmpipe_leaves_loops() {
+        for (driver, leaves) in [
+            ("llvmpipe Mesa 25.0.7 (LLVM 15.0.6)", false),
+            ("llvmpipe Mesa 26.1.0-devel (git-0123456789)", false),
+            ("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)", true),
+            ("llvmpipe", true),
+            ("SwiftShader driver", false),
+            ("NVIDIA 570.1", false),
         ] {
-            assert_eq!(
-                recommended_method(true, "llvmpipe (LLVM 15.0.6, 256 bits)", driver),
-                method,
-                "{driver}"
-            );
+            assert_eq!(leaves_loops(driver), leaves, "{driver}");
         }
-        assert_eq!(
-            recommended_method(false, "NVIDIA H200", "NVIDIA 570.1"),
-            RasterMethod::Quads
-        );
-        assert_eq!(
-            recommended_method(
-                true,
-                "llvmpipe (LLVM 15.0.6, 512 bits)",
-                "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
-            ),
-            RasterMethod::Tiles
-        );
     }
 }

@@ -76,7 +76,6 @@ modules! {
         "sort/per_thread_count_last", "sort/per_thread_count.comp", LAST_PASS;
     SORT_PER_THREAD_SCATTER_LAST =
         "sort/per_thread_scatter_last", "sort/per_thread_scatter.comp", LAST_PASS;
-    BINNING = "binning/binning", "binning/binning.comp", &[];
     BINNING_COUNT = "binning/count", "binning/count.comp", &[];
     BINNING_SCAN = "binning/scan", "binning/scan.comp", &[];
     BINNING_PAIRS = "binning/pairs", "binning/pairs.comp", &[];
@@ -86,7 +85,6 @@ modules! {
     QUADS_VERTEX = "raster/quads_vertex", "raster/quads.vert", &[("DEPTH", "false")];
     QUADS_TESTED_VERTEX = "raster/quads_tested_vertex", "raster/quads.vert", &[("DEPTH", "true")];
     QUADS_FRAGMENT = "raster/quads_fragment", "raster/quads.frag", &[];
-    RASTER = "raster/per_thread", "raster/per_thread_rgba8.comp", &[];
     RASTER_SHARED = "raster/shared", "raster/shared_rgba8.comp", &[];
     RESOLVE_FRAGMENT = "resolve/resolve", "resolve/resolve.frag", &[];
     PRESENT_VERTEX = "present/present_vertex", "present/present.vert", &[];

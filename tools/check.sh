@@ -60,7 +60,6 @@ commands() {
   effigy stress --cases "$1"
   effigy bench-sort --max-keys 65536 --keys 22
   effigy bench-device --size 256x256 --max-copy 8 --min-ms 2 --json target/rates.json
-  effigy phone-model
   effigy soak --minutes 0.2 --fps 2 --size 256x320 --late 50 --out target/soak --trace target/trace.json
   effigy compare target/soak.json target/soak.json
 }

@@ -2,7 +2,7 @@
 # Gathers the Vulkan drivers and the validation layer that the tests run on, without a GPU, on Debian 12:
 #   mesa22       the lavapipe of Debian 12 itself
 #   mesa25       Mesa 25's lavapipe from Debian's backports, unpacked beside the system's own
-#   swiftshader  the SwiftShader in Debian's chromium: no f16 storage, subgroups of 4
+#   swiftshader  the SwiftShader in Debian's chromium: subgroups of 4
 #   layers       the newer validation layer in Debian's chromium, which finds missing barriers between dispatches
 # usage: tools/drivers.sh [DEST, default target/drivers]    makes DEST/NAME.json for each, and DEST/layers/
 set -euo pipefail

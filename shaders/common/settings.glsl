@@ -9,8 +9,8 @@ layout(std140, set = 0, binding = 7) uniform SettingsBlock {
     uint key_capacity;
     uint scanned;
     uint key_count;
-    uint blocks;
     uint counted;
+    uint unused;
     uvec2 first_region;
     uint counts_start;
     uint starts_start;
@@ -26,7 +26,6 @@ layout(std140, set = 0, binding = 7) uniform SettingsBlock {
 #define CAPACITY settings.key_capacity
 #define SCANNED (settings.scanned != 0u)
 #define KEY_COUNT settings.key_count
-#define BLOCKS settings.blocks
 #define COUNTED (settings.counted != 0u)
 #define FIRST_REGION settings.first_region
 #define COUNTS_START settings.counts_start

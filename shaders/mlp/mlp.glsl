@@ -11,7 +11,7 @@ layout(local_size_x = MLP_WORKGROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Networks { uint networks[]; };
 #else
 #include "common/half.glsl"
-layout(std430, set = 0, binding = 1) readonly buffer Networks { HALF_QUAD networks[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Networks { uvec2 networks[]; };
 #endif
 // Planes of words, one entry a node: basis_quads planes for each of x, y, z, four basis functions a
 // word; then, two words a node, the offset and the size of a step, four f16. Nodes are sorted by

@@ -11,7 +11,7 @@
 #include "common/gaussian.glsl"
 #include "project/pose_cache.glsl"
 
-WORKGROUP(3, PROJECT_WORKGROUP)
+layout(local_size_x = PROJECT_WORKGROUP) in;
 PARAMETER(0, bool, STORE, false)
 layout(std430, set = 0, binding = 1) readonly buffer Gaussians { uvec2 gaussians[]; };
 // A basis row: a word with the size of a step (f16) and the part; for colours two words with the

@@ -7,7 +7,7 @@
 #include "common/depth_key.glsl"
 #include "project/pose_cache.glsl"
 
-WORKGROUP(3, PROJECT_WORKGROUP)
+layout(local_size_x = PROJECT_WORKGROUP) in;
 layout(std430, set = 0, binding = 1) buffer Splats { uint words[]; };
 #include "project/projection.glsl"
 

@@ -12,7 +12,7 @@ const uint COUNTS_AT = 0u;
 #else
 #define COUNTS words
 PARAMETER(2, uint, COUNTS_AT, 0u)
-PARAMETER(4, bool, HALF_KEYS, false)
+PARAMETER(3, bool, HALF_KEYS, false)
 #endif
 #define FIRST_COUNTS COUNTS
 #define FIRST_COUNTS_AT frame.count_start
@@ -20,7 +20,7 @@ PARAMETER(4, bool, HALF_KEYS, false)
 #include "sort/first_counts.glsl"
 #include "project/culled.glsl"
 
-shared uint workgroup_keys[WORKGROUP_SIZE(PROJECT_WORKGROUP)];
+shared uint workgroup_keys[PROJECT_WORKGROUP];
 
 // Projects a mean `p` in camera space, metres: gives its centre in the image, px, and its key, 0 to
 // 1. False if the Gaussian is culled. Comparisons are written so that NaN fails them.

@@ -103,6 +103,7 @@ void blend_merged(inout Square square, uvec4 lists) {
 
 // Blends one list. A subgroup lies in one tile: its invocations read a block together, a splat
 // each, and share those that touch the subgroup's pixels. They stay together until all are done.
+// Narrow subgroups read a block in parts, the nearest, which are its last, first.
 void blend_list(inout Square square, uint list) {
     uint lane = gl_SubgroupInvocationID;
     vec2 low = subgroupMin(square.middle);
@@ -111,24 +112,31 @@ void blend_list(inout Square square, uint list) {
     vec2 box = 0.5 * (high - low) + 0.5 * float(SIDE - 1u);
     while (list != 0u && subgroupAny(square.open)) {
         uint count = list & SPLATS_PER_BLOCK;
-        uint word = lane < BINNING_BLOCK ? bins[BLOCKS_START + list - count + lane] : 0u;
-        bool mine = lane > 0u && lane <= count;
-        Ready splat = prepare(mine ? splats[word] : uvec4(0u));
-        bool touches = mine && all(lessThan(abs(center - splat.center), splat.box + box));
-        uint touching = subgroupBallot(touches).x;
-        while (touching != 0u) {
-            uint from = uint(findMSB(touching));
-            touching ^= 1u << from;
-            Ready next;
-            next.center = subgroupShuffle(splat.center, from);
-            next.box = subgroupShuffle(splat.box, from);
-            next.along = subgroupShuffle(splat.along, from);
-            next.across = subgroupShuffle(splat.across, from);
-            next.color = subgroupShuffle(splat.color, from);
-            next.bend = subgroupShuffle(splat.bend, from);
-            blend(square, next);
+        uint block = BLOCKS_START + list - count;
+        for (uint end = count + 1u; end > 0u;) {
+            uint first = (end - 1u) / gl_SubgroupSize * gl_SubgroupSize;
+            bool reads = first + lane < end;
+            uint word = reads ? bins[block + first + lane] : 0u;
+            bool mine = reads && first + lane > 0u;
+            Ready splat = prepare(mine ? splats[word] : uvec4(0u));
+            bool touches = mine && all(lessThan(abs(center - splat.center), splat.box + box));
+            uint touching = subgroupBallot(touches).x;
+            while (touching != 0u) {
+                uint from = uint(findMSB(touching));
+                touching ^= 1u << from;
+                Ready next;
+                next.center = subgroupShuffle(splat.center, from);
+                next.box = subgroupShuffle(splat.box, from);
+                next.along = subgroupShuffle(splat.along, from);
+                next.across = subgroupShuffle(splat.across, from);
+                next.color = subgroupShuffle(splat.color, from);
+                next.bend = subgroupShuffle(splat.bend, from);
+                blend(square, next);
+            }
+            end = first;
+            // The block's first word links to the next.
+            list = subgroupShuffle(word, 0u);
         }
-        list = subgroupShuffle(word, 0u);
     }
 }
 

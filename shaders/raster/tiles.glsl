@@ -2,8 +2,8 @@
 // pixels near to far and stops when they are saturated. The blender, which the quads use, cannot
 // stop. A workgroup draws a region of RASTER_REGION by RASTER_REGION pixels.
 //
-// The including shader declares `image` before this file, then includes one of the two ways of
-// walking the tiles' lists, per_thread.glsl or cooperative.glsl, and then tiles_main.glsl.
+// The including shader declares `image` before this file, then includes cooperative.glsl, which
+// walks the tiles' lists, and then tiles_main.glsl.
 #include "common/platform.glsl"
 #include "common/frame.glsl"
 #include "common/splat.glsl"
@@ -42,13 +42,7 @@ struct Square {
     vec2 middle;
 };
 
-#ifdef WEB
-layout(std430, set = 0, binding = 5) readonly buffer Keys { uint keys[]; };
-
-uint key_at(uint i) { return keys[i >> 1u] >> 16u * (i & 1u) & 0xffffu; }
-#else
 #include "common/key_at.glsl"
-#endif
 
 // A list without its first splat.
 uint rest_of(uint list) {

@@ -12,8 +12,8 @@ layout(std430, set = 0, binding = 1) buffer Gaussians { uvec2 gaussians[]; };
 // Planes of half quads, one entry a Gaussian, three planes for each group of four functions: RGB of
 // each function in turn, the neutral colour as that of the first. Two buffers, so that the largest
 // avatar stays within the buffer range that every device has.
-layout(std430, set = 0, binding = 2) readonly buffer Low { HALF_QUAD low[]; };
-layout(std430, set = 0, binding = 3) readonly buffer High { HALF_QUAD high[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Low { uvec2 low[]; };
+layout(std430, set = 0, binding = 3) readonly buffer High { uvec2 high[]; };
 layout(std430, set = 0, binding = 4) readonly buffer PoseBuffer { uvec2 pose[]; };
 #include "common/pose.glsl"
 PARAMETER(0, uint, DEGREE, 3u)

@@ -68,7 +68,7 @@ const OTHER_DEVICE: &str =
     "`effigy devices` lists every device and what it can do; choose one with --device";
 /// Advice where a driver can't draw triangles.
 pub const NO_TRIANGLES: &str =
-    "set LP_NATIVE_VECTOR_WIDTH=256, or use `--raster tiles` and no window";
+    "set LP_NATIVE_VECTOR_WIDTH=256, or use `--raster tiles-shared` and no window";
 const SMALLER_AVATAR: &str =
     "use an avatar with fewer Gaussians or basis rows, or another device with --device";
 
@@ -110,8 +110,7 @@ fn for_webgpu(error: &webgpu::Error) -> Option<&'static str> {
         E::ImageSize { .. } => Some("choose another size with --size"),
         E::KeyBits(_) => Some("leave out --keys, or draw with --backend vulkan"),
         E::Sort => Some("leave out --sort, or draw with --backend vulkan"),
-        E::Workgroup(_) => Some("leave out --workgroup, or draw with --backend vulkan"),
-        E::TileKernel(_) => Some("write --raster tiles, or draw with --backend vulkan"),
+        E::CooperativeTiles => Some("write --raster tiles-shared, or draw with --backend vulkan"),
         _ => None,
     }
 }

@@ -24,7 +24,6 @@ const GROUPS: [CommandGroup; 4] = [
             "stress",
             "compare",
             "verdict",
-            "phone-model",
             "devices",
         ],
     },

@@ -35,6 +35,7 @@ mod export;
 mod export_ply;
 mod files;
 mod fit;
+mod gone;
 mod groups;
 mod import;
 mod inspect;
@@ -45,7 +46,6 @@ mod live;
 mod options;
 mod output;
 mod pack;
-mod phone_model;
 mod picture;
 mod progress;
 mod render;
@@ -102,8 +102,6 @@ enum Command {
     Compare(compare::Args),
     /// Join what tools/gpu/run.sh measured on a GPU to one report
     Verdict(verdict::Args),
-    /// Estimate what phones would take, from published rates and counts of a frame
-    PhoneModel(phone_model::Args),
     /// List the GPUs: what each has, what is missing and what Effigy would use
     Devices(devices::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
@@ -148,7 +146,6 @@ impl Command {
             Self::Stress(args) => stress::run(args),
             Self::Compare(args) => compare::run(args),
             Self::Verdict(args) => verdict::run(args),
-            Self::PhoneModel(args) => phone_model::run(args),
             Self::Devices(args) => devices::run(args),
             Self::Bake(args) => bake::run(args),
             Self::Dataset(args) => dataset::run(args),
@@ -216,7 +213,9 @@ pub fn main() -> ExitCode {
     if let Some(commit) = option_env!("EFFIGY_COMMIT") {
         effigy_measure::set_commit(commit);
     }
-    let matches = command().get_matches();
+    let matches = command()
+        .try_get_matches()
+        .unwrap_or_else(|error| gone::explained(error).exit());
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     start_logging(cli.verbose);
     let result = output::check_arguments(&matches).and_then(|()| match cli.command {

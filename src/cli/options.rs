@@ -8,14 +8,13 @@ use clap::{
 use effigy::vulkan::{
     Gpu, GpuOptions, RendererOptions,
     preset::Preset,
-    raster::{ColorFormat, RasterMethod, TileKernel},
+    raster::{ColorFormat, RasterMethod},
     sort::{KeyBits, SortVariant},
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
     frame::Skip,
     io::splats::Up,
-    layout::PROJECT_WORKGROUPS,
     scene::{Camera, Detail, Framing, Supersampling},
 };
 use effigy_runtime::trace::Trace;
@@ -141,10 +140,6 @@ pub struct QualityArgs {
     /// Sort variant
     #[arg(long, value_enum, default_value_t = SortArg::Auto)]
     pub sort: SortArg,
-    /// Invocations of a workgroup of the project stage: 32, 64 or 128 [default: what was measured to
-    /// be fastest on the device]
-    #[arg(long, value_name = "N", value_parser = workgroup)]
-    pub workgroup: Option<u32>,
     /// Work to skip where the scene does not need it: all, none, or names separated by commas
     /// [default: as the preset says]
     #[arg(long, value_name = "NAME,NAME")]
@@ -234,10 +229,8 @@ impl QualityArgs {
         RendererOptions {
             color: self.color.map(Into::into).or(preset.color),
             key_bits: self.keys.map(Into::into).or(preset.key_bits),
-            method: self.raster.method(),
-            kernel: self.raster.kernel(),
+            method: self.raster.into(),
             sort: self.sort.into(),
-            workgroup: self.workgroup,
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
             detail: self.detail.unwrap_or(preset.detail),
@@ -252,17 +245,6 @@ impl QualityArgs {
 /// Reads `--cutoff`, 255ths.
 fn cutoff(text: &str) -> Result<f64, String> {
     number(text, 1.0, 255.0, "cutoff")
-}
-
-/// Reads `--workgroup`.
-fn workgroup(text: &str) -> Result<u32, String> {
-    let size = text
-        .parse()
-        .ok()
-        .filter(|size| PROJECT_WORKGROUPS.contains(size));
-    size.ok_or_else(|| {
-        format!("`{text}` is not a workgroup's size: write one of {PROJECT_WORKGROUPS:?}")
-    })
 }
 
 /// [`ColorFormat`] as an argument.
@@ -283,39 +265,28 @@ impl From<ColorArg> for ColorFormat {
     }
 }
 
-/// [`RasterMethod`] and [`TileKernel`] as an argument.
+/// [`RasterMethod`] as an argument.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum RasterArg {
-    /// What was measured to be fastest on the device
+    /// As suits the class of device
     Auto,
-    /// Quads through the device's blender, far to near
+    /// Quads through the device's blender, far to near; for phones
     #[value(alias = "hulls")]
     Quads,
-    /// A compute kernel, near to far until a pixel is saturated
-    Tiles,
-    /// The kernel of which each invocation walks its tiles' lists by itself
-    TilesPerThread,
-    /// The kernel of which a subgroup of 8 shares what it reads
-    TilesCooperative,
-    /// The kernel of which a workgroup shares what it reads, for GPUs
+    /// A compute kernel of which a workgroup shares what it reads, near to far until all pixels are
+    /// saturated; for desktop GPUs
     TilesShared,
+    /// One of which a subgroup of 4 or 8 shares what it reads; for CPU drivers
+    TilesCooperative,
 }
 
-impl RasterArg {
-    fn method(self) -> Option<RasterMethod> {
-        match self {
-            Self::Auto => None,
-            Self::Quads => Some(RasterMethod::Quads),
-            _ => Some(RasterMethod::Tiles),
-        }
-    }
-
-    fn kernel(self) -> Option<TileKernel> {
-        match self {
-            Self::Auto | Self::Quads | Self::Tiles => None,
-            Self::TilesPerThread => Some(TileKernel::PerThread),
-            Self::TilesCooperative => Some(TileKernel::Cooperative),
-            Self::TilesShared => Some(TileKernel::Shared),
+impl From<RasterArg> for Option<RasterMethod> {
+    fn from(raster: RasterArg) -> Self {
+        match raster {
+            RasterArg::Auto => None,
+            RasterArg::Quads => Some(RasterMethod::Quads),
+            RasterArg::TilesShared => Some(RasterMethod::SharedTiles),
+            RasterArg::TilesCooperative => Some(RasterMethod::CooperativeTiles),
         }
     }
 }

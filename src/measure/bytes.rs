@@ -16,7 +16,7 @@ use effigy::vulkan::{RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Layer},
     frame::{
-        Skip, SortVariant, TileKernel,
+        Skip, SortVariant,
         passes::{ListForm, Stage},
         schedule::Equipment,
     },
@@ -296,7 +296,6 @@ pub fn work_per_stage(
             sh: avatar.sh.is_some(),
             supersampling: options.supersampling.is_on(),
             method,
-            kernel: options.kernel.unwrap_or(TileKernel::PerThread),
             skip: options.skip,
         };
         match equipment.lists() {
@@ -586,7 +585,7 @@ fn raster(options: &RendererOptions, counts: WorkCounts) -> StageWork {
     let covered = counts.covered.unwrap_or(redrawn).min(redrawn);
     let pixel = options.color.unwrap_or_default().bytes() as u64;
     let splats = (SPLAT_INDEX + SPLAT) * counts.drawn;
-    let by_tiles = options.method == Some(RasterMethod::Tiles);
+    let by_tiles = options.method.is_some_and(RasterMethod::is_tiles);
     // Quads are blended over an image that was cleared. Each tile reads its own splats, and an
     // image is written once.
     let reads_a_splat = if by_tiles { TILES_A_SPLAT } else { 1 };

@@ -6,7 +6,6 @@
 //! - [`rates`] measures what a device manages in a second, whatever is drawn.
 //! - [`sorts`] is the report of the sort alone.
 //! - [`verdict`] joins a run's measurements on one GPU to one report.
-//! - [`phone_model`] estimates what phones would take.
 //! - [`packing`] measures what each step of packing an avatar saves and costs.
 //! - [`bytes`] computes the bytes and operations of each stage, and their minimum.
 //! - [`error`] is the error of an image: PSNR and largest error.
@@ -27,7 +26,6 @@ pub mod error;
 pub mod flicker;
 pub mod flip;
 pub mod packing;
-pub mod phone_model;
 pub mod rates;
 pub mod report;
 pub mod setting;

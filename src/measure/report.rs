@@ -7,7 +7,7 @@ use crate::{error::ErrorMetrics, setting::RenderSetting};
 use effigy::vulkan::Gpu;
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    frame::{KeyBits, RasterMethod, RendererOptions, Skip},
+    frame::{KeyBits, RendererOptions, Skip},
     scene::Detail,
 };
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
@@ -48,8 +48,6 @@ pub struct DeviceReport {
     pub driver: String,
     /// Vulkan version, as in 1.3.0. Empty behind WebGPU.
     pub vulkan: String,
-    /// Whether shaders read f16 from storage buffers.
-    pub half_storage: bool,
     /// Invocations of a subgroup; 0 if unknown.
     pub subgroup_size: u32,
     /// Whether the device has timestamps; without them there are no GPU times.
@@ -70,7 +68,6 @@ impl DeviceReport {
             name: gpu.probe.name.clone(),
             driver: gpu.probe.driver.clone(),
             vulkan: format!("{major}.{minor}.{patch}"),
-            half_storage: gpu.half_storage,
             subgroup_size: gpu.probe.subgroup_size,
             timestamps: gpu.probe.timestamp_bits > 0,
             backend: "vulkan".into(),
@@ -136,8 +133,6 @@ pub struct OptionsReport {
     /// choice.
     #[serde(default = "own_filter")]
     pub filter: String,
-    /// How f16 is read: `half` or, packed in 32-bit words, `words`.
-    pub storage: String,
     /// Share of the basis rows that is retained, 0 to 1.
     pub rows: f64,
     /// Frames that each pose is held for.
@@ -172,11 +167,6 @@ impl OptionsReport {
     /// The options of a setting.
     pub fn new(setting: &RenderSetting) -> Self {
         let options = &setting.options;
-        let storage = if options.packed_words == Some(true) {
-            "words"
-        } else {
-            "half"
-        };
         Self {
             color: format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
             raster: raster_name(options),
@@ -187,7 +177,6 @@ impl OptionsReport {
             filter: options
                 .filter
                 .map_or_else(own_filter, |filter| filter.to_string()),
-            storage: storage.to_owned(),
             rows: setting.rows,
             hold: setting.hold,
         }
@@ -196,11 +185,9 @@ impl OptionsReport {
 
 /// The rasterizer of resolved options, as `--raster` spells it.
 fn raster_name(options: &RendererOptions) -> String {
-    match (options.method, options.kernel) {
-        (Some(RasterMethod::Tiles), Some(kernel)) => format!("tiles-{}", kernel.name()),
-        (Some(method), _) => method.name().to_owned(),
-        (None, _) => String::new(),
-    }
+    options
+        .method
+        .map_or_else(String::new, |method| method.name().to_owned())
 }
 
 /// Bits of a depth key.
@@ -326,7 +313,7 @@ impl Setup<'_> {
             .collect()
     }
 
-    fn facts(&self) -> [(&'static str, String); 8] {
+    fn facts(&self) -> [(&'static str, String); 7] {
         let avatar = &self.avatar;
         let subject = format!(
             "{}, {} Gaussians, {:?} rows",
@@ -337,7 +324,6 @@ impl Setup<'_> {
             ("device", self.device.name.clone()),
             ("driver", self.device.driver.clone()),
             ("backend", self.device.backend.clone()),
-            ("16-bit storage", self.device.half_storage.to_string()),
             ("avatar", subject),
             ("clip", avatar.clip.clone()),
             ("image size", format!("{} × {}", self.size[0], self.size[1])),
@@ -434,7 +420,6 @@ pub(crate) mod tests {
             name: "A".into(),
             driver: "B".into(),
             vulkan: "1.3.0".into(),
-            half_storage: true,
             subgroup_size: 8,
             timestamps: true,
             backend: "vulkan".into(),
@@ -461,7 +446,6 @@ pub(crate) mod tests {
             cutoff: 1.0 / 255.0,
             detail: "full".into(),
             filter: "own".into(),
-            storage: "half".into(),
             rows: 1.0,
             hold: 1,
         }

@@ -7,7 +7,7 @@ pub use super::device::statistics::{Executable, Statistic, Value};
 use super::{
     device::{Error, Gpu, GpuOptions, Result},
     memory::Buffer,
-    raster::{ColorFormat, RasterMethod, TileKernel, resolve::Resolve},
+    raster::{ColorFormat, RasterMethod, resolve::Resolve},
     renderer::Renderer,
     sort::{KeyBits, Sort, SortOptions, SortVariant, unsupported},
     window::present::Present,
@@ -66,12 +66,14 @@ fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
             Resolve::new(gpu, renderer.raster().image(), color)?;
         }
         // Not every device can run every kernel.
-        let able = |kernel: &TileKernel| gpu.probe.lacks_for(*kernel).is_none();
-        for kernel in TileKernel::ALL.into_iter().filter(able) {
+        let able = |method: &RasterMethod| gpu.probe.lacks_for(*method).is_none();
+        let tiles = RasterMethod::ALL
+            .into_iter()
+            .filter(|method| method.is_tiles());
+        for method in tiles.filter(able) {
             let tiles = RendererOptions {
                 color: Some(color),
-                method: Some(RasterMethod::Tiles),
-                kernel: Some(kernel),
+                method: Some(method),
                 ..options
             };
             Renderer::new(gpu, avatar, tiles)?;

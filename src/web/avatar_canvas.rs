@@ -475,7 +475,6 @@ impl AvatarCanvas {
             "cutoff": options.cutoff,
             "detail": options.detail.to_string(),
             "supersample": options.supersampling.to_string(),
-            "storage": "words",
             "rows": 1.0,
             "hold": 1,
         })

@@ -54,15 +54,10 @@ pub enum Error {
     /// The options ask for [`SortVariant::OneSweep`](effigy_core::frame::SortVariant::OneSweep).
     #[error("the WebGPU backend has no OneSweep, which needs subgroups")]
     Sort,
-    /// The options ask for a kernel of the tile rasterizer that needs subgroups.
-    #[error("the WebGPU backend has no {0} tile kernel, which needs subgroups")]
-    TileKernel(&'static str),
-    /// The options ask for workgroups of another size than the shaders have.
-    #[error("the WebGPU backend has workgroups of 64 in the project stage, not of {0}")]
-    Workgroup(u32),
-    /// The options ask for f16 that is not read as words.
-    #[error("the WebGPU backend reads f16 as words: it has no 16-bit storage")]
-    PackedWords,
+    /// The options ask for
+    /// [`RasterMethod::CooperativeTiles`](effigy_core::frame::RasterMethod::CooperativeTiles).
+    #[error("the WebGPU backend has no cooperative tiles, which need subgroups")]
+    CooperativeTiles,
     /// The device was lost or closed, for the reason given.
     #[error("the device was lost: {0}")]
     DeviceLost(String),

@@ -159,7 +159,6 @@ impl Executor<'_> {
                     .write_buffer(self.control, 0, bytes_of(&control(keys)));
             }
             Pass::ClearCounts => self.project.clear(encoder),
-            Pass::ClearTileLists => self.raster.clear_tile_lists(encoder),
             // The counts are copied where the frame is submitted.
             Pass::ReadCounts => {}
             Pass::KeepCounts
@@ -167,6 +166,7 @@ impl Executor<'_> {
             | Pass::Sh { .. }
             | Pass::Project { .. }
             | Pass::Sort
+            | Pass::ClearTileLists
             | Pass::Binning { .. }
             | Pass::Bin { .. }
             | Pass::Saturation
@@ -226,10 +226,6 @@ impl Executor<'_> {
                     .record(compute, block, model, gaussians, skinning);
             }
             Pass::Sort => self.sort.record(compute),
-            Pass::Binning { target } => {
-                let block = self.draw(target).block;
-                self.raster.record_binning(compute, block);
-            }
             Pass::Saturation => self.raster.record_saturation(compute, &self.image),
             Pass::RasterTiles { target, .. } => {
                 self.raster.record_tiles(compute, self.draw(target));

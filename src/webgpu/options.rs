@@ -8,16 +8,19 @@ use super::{
 use crate::quirks::draws_triangles;
 use effigy_core::{
     avatar::Avatar,
-    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel, room::Room},
-    layout::PROJECT_WORKGROUP,
+    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, room::Room},
     scene::{AvatarBounds, Supersampling},
 };
 
 /// Options with every open choice made for a device, and without skips that this backend or the
 /// device can't do.
 pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
-    let method = options.method.unwrap_or_else(|| {
-        crate::quirks::recommended_method(gpu.is_cpu(), gpu.name(), &gpu.driver())
+    let draws_triangles = draws_triangles(gpu.name());
+    // Most browsers do not say what class of GPU there is: quads suit phones, and are right on all.
+    let method = options.method.unwrap_or(if draws_triangles {
+        RasterMethod::Quads
+    } else {
+        RasterMethod::SharedTiles
     });
     // WebGPU's render passes draw the whole image.
     let whole = if method == RasterMethod::Quads {
@@ -25,7 +28,6 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     } else {
         Skip::empty()
     };
-    let draws_triangles = draws_triangles(gpu.name());
     // As with Vulkan, whose own choice is measured: on CPU drivers the depth test costs more than
     // it saves (docs/experiments/038).
     let tested = if options.method.is_none() || !draws_triangles {
@@ -34,12 +36,6 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
         Skip::empty()
     };
     let skip = options.skip - whole - tested;
-    // CPU drivers execute a few invocations at a time: they have a kernel of their own.
-    let kernel = options.kernel.unwrap_or(if gpu.is_cpu() {
-        TileKernel::PerThread
-    } else {
-        TileKernel::Shared
-    });
     let sort = options.sort.unwrap_or(if gpu.is_cpu() {
         SortVariant::PerThread
     } else {
@@ -48,11 +44,8 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     RendererOptions {
         method: Some(method),
         color: Some(options.color.unwrap_or(method.color())),
-        kernel: Some(kernel),
         key_bits: Some(options.key_bits.unwrap_or(KeyBits::Sixteen)),
         sort: Some(sort),
-        packed_words: Some(true),
-        workgroup: Some(PROJECT_WORKGROUP),
         supersampling: if draws_triangles {
             options.supersampling
         } else {
@@ -83,17 +76,8 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     if options.sort == Some(SortVariant::OneSweep) {
         return Err(Error::Sort);
     }
-    if let Some(kernel) = options
-        .kernel
-        .filter(|kernel| *kernel == TileKernel::Cooperative)
-    {
-        return Err(Error::TileKernel(kernel.name()));
-    }
-    if let Some(size) = options.workgroup.filter(|size| *size != PROJECT_WORKGROUP) {
-        return Err(Error::Workgroup(size));
-    }
-    if options.packed_words == Some(false) {
-        return Err(Error::PackedWords);
+    if options.method == Some(RasterMethod::CooperativeTiles) {
+        return Err(Error::CooperativeTiles);
     }
     let mut options = resolved(gpu, options);
     // Where colours change with the view, poses are not cached.

@@ -30,7 +30,7 @@ use effigy_core::{
         state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches},
         validate,
     },
-    layout::{Control, FrameBlock, SORT_TILE, SettingsBlock, TILING_WEB},
+    layout::{Control, FrameBlock, SORT_TILE, SettingsBlock},
     scene::{AvatarBounds, Camera, PartDependencies, PixelRect, Posed},
 };
 use std::sync::Arc;
@@ -80,7 +80,6 @@ fn raster_inputs<'a>(
     RasterInputs {
         order: sort.order(),
         splats: project.all(),
-        keys: project.keys(),
         control,
         capacity: project.capacity(),
     }
@@ -304,7 +303,6 @@ impl Renderer {
             sh: self.sh.is_some(),
             supersampling: self.options.supersampling.is_on(),
             method: self.raster.method(),
-            kernel: self.raster.kernel(),
             skip: self.options.skip,
         }
     }
@@ -510,7 +508,6 @@ impl Renderer {
         block::write_constants(block, self.model.constants(set));
         block::write_shared(block, &self.options, layer, camera);
         self.project.fill(block);
-        block.tile_side = TILING_WEB.tile(layer.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
             let pose = PoseLayout::new(self.model.constants(0), self.room);

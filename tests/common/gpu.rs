@@ -11,7 +11,7 @@ use effigy::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{RasterMethod, Skip, TileKernel},
+    frame::{RasterMethod, Skip},
     reference,
     scene::{AvatarBounds, Camera, Detail, Posed, Supersampling},
 };
@@ -48,10 +48,10 @@ pub enum Raster {
     Quads,
     /// Quads that are tested against the saturation depth.
     TestedQuads,
-    /// Tiles with the device's own kernel.
-    Tiles,
-    /// Tiles with the kernel for GPUs.
+    /// Tiles as desktop GPUs draw them.
     SharedTiles,
+    /// Tiles as CPU drivers draw them.
+    CooperativeTiles,
 }
 
 impl Raster {
@@ -59,7 +59,8 @@ impl Raster {
     pub fn options(self, device: &str, size: [u32; 2]) -> RendererOptions {
         let method = match self {
             Self::Quads | Self::TestedQuads => RasterMethod::Quads,
-            Self::Tiles | Self::SharedTiles => RasterMethod::Tiles,
+            Self::SharedTiles => RasterMethod::SharedTiles,
+            Self::CooperativeTiles => RasterMethod::CooperativeTiles,
         };
         let options = with_method(device, method, size);
         match self {
@@ -71,11 +72,7 @@ impl Raster {
                 skip: options.skip | Skip::DEPTH,
                 ..options
             },
-            Self::Tiles => options,
-            Self::SharedTiles => RendererOptions {
-                kernel: Some(TileKernel::Shared),
-                ..options
-            },
+            Self::SharedTiles | Self::CooperativeTiles => options,
         }
     }
 }
@@ -94,12 +91,25 @@ pub fn require_method(device: &str, method: RasterMethod) {
     if method == RasterMethod::Quads && !draws_triangles(device) {
         not_run(format!("{device} does not survive drawing triangles"));
     }
+    // WebGPU never has it.
+    if method == RasterMethod::CooperativeTiles
+        && let Some(missing) = gpu().probe.lacks_for(method)
+    {
+        not_run(format!("{device} does not have what is needed {missing}"));
+    }
 }
 
-/// A device with these options, opened once a process.
+/// A device with these options, opened once a process. Ends the test where it can draw by no method.
 pub fn open(options: GpuOptions) -> Arc<Gpu> {
     harness::assert_device_allowed();
-    shared(&options).unwrap_or_else(|error| panic!("a Vulkan device is needed: {error}"))
+    let gpu = shared(&options).unwrap_or_else(|error| panic!("a Vulkan device is needed: {error}"));
+    if RasterMethod::ALL
+        .iter()
+        .all(|method| gpu.probe.lacks_for(*method).is_some())
+    {
+        not_run(format!("{} can draw by no method so", gpu.probe.name));
+    }
+    gpu
 }
 
 fn shared(options: &GpuOptions) -> Result<Arc<Gpu>, Error> {

@@ -4,7 +4,7 @@
 use crate::common::{gpu, harness::not_run};
 use effigy::vulkan::{
     Renderer, RendererOptions,
-    raster::RasterMethod::{self, Quads, Tiles},
+    raster::RasterMethod::{self, CooperativeTiles, Quads, SharedTiles},
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
@@ -28,12 +28,12 @@ const SIZE: [u32; 2] = [640, 640];
 
 tests! {
     stages_add_up_to_the_frame[Quads],
-    stages_add_up_to_the_frame[Tiles],
+    stages_add_up_to_the_frame[CooperativeTiles],
     stages_add_up_where_nothing_is_skipped,
     #[cfg(feature = "webgpu")]
     stages_add_up_on_webgpu[Quads],
     #[cfg(feature = "webgpu")]
-    stages_add_up_on_webgpu[Tiles],
+    stages_add_up_on_webgpu[SharedTiles],
 }
 
 /// The demo in motion: a pose, and a camera around it.
@@ -124,7 +124,7 @@ fn stages_add_up_to_the_frame(method: RasterMethod) {
 }
 
 fn stages_add_up_where_nothing_is_skipped() {
-    adds_up(Tiles, Skip::empty());
+    adds_up(CooperativeTiles, Skip::empty());
 }
 
 #[cfg(feature = "webgpu")]

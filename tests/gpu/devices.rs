@@ -10,7 +10,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{Stage, TileKernel, schedule::Equipment},
+    frame::{RasterMethod, Stage, schedule::Equipment},
     layout::Control,
     scene::{Camera, Posed},
 };
@@ -47,11 +47,11 @@ fn a_device_is_found_by_number_and_by_part_of_its_name() {
 /// What must be true of the statistics of all pipelines on any driver that has them.
 fn assert_whole(device: &Gpu, executables: &[Executable]) {
     let onesweep = effigy::vulkan::sort::unsupported(SortVariant::OneSweep, device).is_none();
-    let draws = |kernel| device.probe.lacks_for(kernel).is_none();
+    let draws = |method| device.probe.lacks_for(method).is_none();
     let is_made = |file: &str| match file.rsplit_once('_').map_or(file, |(kernel, _)| kernel) {
         "sort/onesweep.comp" => onesweep,
-        "raster/cooperative" => draws(TileKernel::Cooperative),
-        "raster/shared" => draws(TileKernel::Shared),
+        "raster/cooperative" => draws(RasterMethod::CooperativeTiles),
+        "raster/shared" => draws(RasterMethod::SharedTiles),
         // Nothing that draws asks for those that measure a device.
         _ => !file.starts_with("rates/"),
     };
@@ -197,7 +197,6 @@ fn stages_whose_inputs_did_not_change_are_skipped() {
         sh: false,
         supersampling: false,
         method: renderer.raster().method(),
-        kernel: renderer.options().kernel.unwrap(),
         skip: renderer.options().skip,
     };
     let expected: Vec<&str> = equipment.stages().map(Stage::name).collect();

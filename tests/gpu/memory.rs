@@ -5,7 +5,7 @@ use crate::common::{
     self, Sizes,
     gpu::{
         self,
-        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+        Raster::{self, CooperativeTiles, Quads, SharedTiles, TestedQuads},
     },
     harness::not_run,
 };
@@ -16,7 +16,7 @@ use effigy::{
 use effigy_core::{
     avatar::Pose,
     constants::ALPHA_MIN,
-    frame::{Skip, TileKernel},
+    frame::Skip,
     layout::{BINNING_BLOCK, POSE_CACHE_WORDS, TILING},
     scene::{Camera, Detail, FrameImage, Posed, Supersampling},
 };
@@ -165,11 +165,9 @@ fn tile_lists_have_what_frames_ask_for() {
     }
     let avatar = common::splats(5, 110_000, 0).to_avatar("scan").unwrap();
     let size = [400, 400];
-    let options = Tiles.options(&device.probe.name, size);
-    // A kernel that has such lists, on a GPU too.
+    let options = CooperativeTiles.options(&device.probe.name, size);
     let options = RendererOptions {
         skip: options.skip - Skip::SKINNING,
-        kernel: Some(TileKernel::PerThread),
         ..options
     };
     let rest = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
@@ -207,7 +205,7 @@ tests! {
     no_kernel_is_compiled_while_frames_run: own_process,
     the_pose_cache_takes_memory_once_it_is_used[Quads]: own_process,
     the_pose_cache_takes_memory_once_it_is_used[TestedQuads]: own_process,
-    the_pose_cache_takes_memory_once_it_is_used[Tiles]: own_process,
+    the_pose_cache_takes_memory_once_it_is_used[CooperativeTiles]: own_process,
     the_pose_cache_takes_memory_once_it_is_used[SharedTiles]: own_process,
     tile_lists_have_what_frames_ask_for: own_process,
 }

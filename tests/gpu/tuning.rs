@@ -13,7 +13,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::{Avatar, Pose},
-    frame::{ColorFormat, RasterMethod, SortVariant, TileKernel},
+    frame::{ColorFormat, RasterMethod, SortVariant},
     scene::{FrameImage, Posed},
 };
 use std::{
@@ -25,19 +25,16 @@ use std::{
 
 const SAFEST: Candidate = Candidate {
     method: RasterMethod::Quads,
-    kernel: TileKernel::Shared,
     depth: false,
     color: ColorFormat::Rgba16F,
     sort: SortVariant::ReduceThenScan,
-    packed_words: false,
-    workgroup: 64,
 };
 const TESTED: Candidate = Candidate {
     depth: true,
     ..SAFEST
 };
 const TILES: Candidate = Candidate {
-    method: RasterMethod::Tiles,
+    method: RasterMethod::SharedTiles,
     color: ColorFormat::Rgba8,
     ..SAFEST
 };
@@ -240,8 +237,6 @@ fn choices() -> Choices {
         rasters: vec![SAFEST, TESTED, TILES],
         fixed_color: None,
         sorts: vec![SortVariant::ReduceThenScan, SortVariant::OneSweep],
-        both_storages: true,
-        workgroups: vec![64, 128],
     }
 }
 
@@ -276,7 +271,7 @@ fn is_tested(candidate: &Candidate) -> bool {
 }
 
 fn is_tiles(candidate: &Candidate) -> bool {
-    candidate.method == RasterMethod::Tiles
+    candidate.method == RasterMethod::SharedTiles
 }
 
 fn is_onesweep(candidate: &Candidate) -> bool {
@@ -302,10 +297,10 @@ fn the_fastest_of_every_axis_is_found() {
         }
     );
     assert!(tuning.is_done());
-    // Quads that are tested, tiles, another format, sort, form of f16 and workgroup: each once.
-    assert_eq!(tuning.tried.len(), 6, "{tuning:#?}");
+    // Quads that are tested, tiles, another format and sort: each once.
+    assert_eq!(tuning.tried.len(), 4, "{tuning:#?}");
     assert!(
-        tuning.reason().contains("the fastest of 7"),
+        tuning.reason().contains("the fastest of 5"),
         "{}",
         tuning.reason()
     );
@@ -597,7 +592,7 @@ fn a_workload_is_what_decides_speed() {
     assert_ne!(base, like([2000, 1000], 4000));
     assert_ne!(base, like([1000, 1000], 8000));
     let fixed = RendererOptions {
-        method: Some(RasterMethod::Tiles),
+        method: Some(RasterMethod::SharedTiles),
         ..options
     };
     assert_ne!(base, Workload::new(&avatar(4000), &fixed));
@@ -660,9 +655,8 @@ fn every_candidate_of_this_device_is_right() {
 }
 
 fn a_real_device_that_is_lost_in_a_trial_is_opened_again() {
-    /// Of a candidate that every device has, and that is not the safest.
-    const LOSING: u32 = 32;
-    let is_losing = |candidate: &Candidate| candidate.workgroup == LOSING;
+    // Every device has one that is not the safest: tiles in f16, or quads in bytes.
+    let is_losing = |candidate: &Candidate| candidate.color != candidate.method.color();
 
     /// Loses a real device once it has drawn with that candidate.
     struct Losing<'a>(RendererTrials<'a>);
@@ -685,7 +679,8 @@ fn a_real_device_that_is_lost_in_a_trial_is_opened_again() {
             number: usize,
         ) -> Result<FramePair> {
             let pair = self.0.pair(best, candidate, number)?;
-            if candidate.options().workgroup == Some(LOSING) {
+            let options = candidate.options();
+            if options.color != options.method.map(RasterMethod::color) {
                 return Err(Error::DeviceLost("a test"));
             }
             Ok(pair)
@@ -769,11 +764,10 @@ fn renderers_draw_as_was_measured_and_drop_what_fails() {
     let file = records.next().unwrap();
     let mut content: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
-    content["tunings"][0]["best"]["method"] = "Tiles".into();
-    content["tunings"][0]["best"]["kernel"] = "Cooperative".into();
+    content["tunings"][0]["best"]["method"] = "CooperativeTiles".into();
     fs::write(&file, content.to_string()).unwrap();
     let mut renderer = Renderer::new(&device, &avatar, task.options).unwrap();
-    assert_eq!(renderer.options().kernel, fresh.options().kernel);
+    assert_eq!(renderer.options().method, fresh.options().method);
     let scene = &scenes[0];
     renderer.draw(&scene.poses[0], &scene.camera, None).unwrap();
     assert!(renderer.read_image().is_ok());
@@ -781,8 +775,7 @@ fn renderers_draw_as_was_measured_and_drop_what_fails() {
     let after = record.tuning(&tuning.workload).unwrap();
     assert_eq!(after.best, after.safest);
     let cooperative = Candidate {
-        method: RasterMethod::Tiles,
-        kernel: TileKernel::Cooperative,
+        method: RasterMethod::CooperativeTiles,
         ..tuning.safest
     };
     assert!(record.refusal(Axis::Raster, &cooperative).is_some());

@@ -26,7 +26,6 @@ mod mmlphuman;
 mod motion;
 mod onesweep;
 mod perceptual;
-mod phone_model;
 mod ply;
 mod projection;
 mod reference;
@@ -89,7 +88,6 @@ fn main() -> ExitCode {
             motion::limbs,
             onesweep,
             perceptual,
-            phone_model,
             ply,
             ply::cameras,
             ply::adversarial,

@@ -43,7 +43,7 @@ fn spirv_matches_its_sources() {
     let recorded = fs::read_to_string(shaders().join("spv").join(FINGERPRINTS)).unwrap();
     for module in modules() {
         let source = fingerprint(&shaders(), module.file).unwrap();
-        let now = module_fingerprint(source, module.compiled_modules());
+        let now = module_fingerprint(source, module.spirv);
         let line = format!("{} {now:016x}", module.file);
         assert!(
             recorded.lines().any(|known| known == line),
@@ -81,10 +81,7 @@ fn wgsl_matches_its_sources() {
 fn compiled_files_are_those_of_the_modules() {
     let mut spirv = BTreeSet::from([FINGERPRINTS.to_string()]);
     for module in modules() {
-        spirv.insert(module.compiled(false));
-        if module.has_half() {
-            spirv.insert(module.compiled(true));
-        }
+        spirv.insert(module.compiled());
     }
     assert_eq!(files(&shaders().join("spv")), spirv);
     let mut wgsl = BTreeSet::from([web::FINGERPRINTS.to_string()]);
@@ -122,7 +119,7 @@ fn storage_images_have_the_format_that_is_replaced() {
     for module in web::MODULES {
         let images = module.wgsl.matches("texture_storage_2d<").count();
         let replaced = module.wgsl.matches(web::IMAGE_FORMAT).count();
-        let raster = [web::RASTER.name, web::RASTER_SHARED.name].contains(&module.name);
+        let raster = module.name == web::RASTER_SHARED.name;
         let samples = module.name == web::SATURATION.name;
         assert_eq!(replaced, usize::from(raster), "{}", module.name);
         assert_eq!(images, usize::from(raster || samples), "{}", module.name);

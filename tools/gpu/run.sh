@@ -99,10 +99,10 @@ do_step() { # NAME SECONDS
           EFFIGY_PROGRAM=$here/bin/effigy EFFIGY_TEST_SECONDS=60 EFFIGY_TEST_LABEL=gpu EFFIGY_TEST_RESULTS=$work/tests.txt "$here/bin/gpu-tests" "${tests[@]}"
       ;;
     frames-quads) bench quads --raster quads --case "$cases" ;;
-    frames-tiles) bench tiles --raster tiles --case "$cases" ;;
+    frames-tiles) bench tiles --raster tiles-shared --case "$cases" ;;
     frames-cameras) bench cameras --cameras "$here/data/cameras.json" --case full ;;
     presets-quads) bench presets-quads --raster quads --sweep preset "${sweep[@]}" ;;
-    presets-tiles) bench presets-tiles --raster tiles --sweep preset "${sweep[@]}" ;;
+    presets-tiles) bench presets-tiles --raster tiles-shared --sweep preset "${sweep[@]}" ;;
     skips-quads) bench skips-quads --raster quads --sweep skip-but "${sweep[@]}" ;;
     soak)
       # What is left once the device is open and the last frame is compared.

@@ -117,18 +117,10 @@ fn write_spirv(sources: &Sources, output: &mut Output) -> anyhow::Result<()> {
     let folder = sources.shaders.join("spv");
     let mut fingerprints = String::new();
     for module in MODULES.iter().chain(effigy_train::gpu::shaders::MODULES) {
-        let mut compiled = Vec::new();
-        for half in [false, true] {
-            if half && !module.has_half() {
-                continue;
-            }
-            let macros: &[_] = if half { &[("HALF_STORAGE", "1")] } else { &[] };
-            let words = sources.compile(module.file, macros, OptimizationLevel::Performance)?;
-            output.file(&folder, &module.compiled(half), &words)?;
-            compiled.push(words);
-        }
+        let words = sources.compile(module.file, &[], OptimizationLevel::Performance)?;
+        output.file(&folder, &module.compiled(), &words)?;
         let source = fingerprint(sources.shaders, module.file)?;
-        let fingerprint = module_fingerprint(source, compiled.iter().map(Vec::as_slice));
+        let fingerprint = module_fingerprint(source, &words);
         fingerprints += &format!("{} {fingerprint:016x}\n", module.file);
     }
     output.file(&folder, FINGERPRINTS, fingerprints.as_bytes())

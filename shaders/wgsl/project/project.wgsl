@@ -209,7 +209,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 }
                 let _e118 = local;
                 if _e118 {
-                    let _e120 = global_3.member_9;
+                    let _e120 = global_3.member_8;
                     if (_e120 != 0u) {
                         let _e124 = atomicAdd((&global_2.member[0u]), 1u);
                     }
@@ -278,7 +278,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     default: {
                         let _e417 = global.member_6;
                         if !((_e401 >= _e417)) {
-                            let _e421 = global_3.member_9;
+                            let _e421 = global_3.member_8;
                             if (_e421 != 0u) {
                                 let _e425 = atomicAdd((&global_2.member[0u]), 1u);
                             }
@@ -334,7 +334,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             let _e531 = global.member_49;
                             let _e536 = any((_e485 > ((((((abs(_e506) / vec2(_e401)) * (vec2<f32>(1f, 1f) + max(abs(_e499), abs(_e502)))) * (sqrt(max(max(dot(_e412, _e412), dot(_e413, _e413)), dot(_e414, _e414))) * exp(min(max(max(_e293.x, _e293.y), _e293.z), 9f)))) + vec2(sqrt(_e514))) * (sqrt((2f * log(max((255f / _e519), 1f)))) * sqrt(_e526))) * (1.01f * max(_e531, 0f)))));
                             if _e536 {
-                                let _e538 = global_3.member_9;
+                                let _e538 = global_3.member_8;
                                 if (_e538 != 0u) {
                                     let _e542 = atomicAdd((&global_2.member[0u]), 1u);
                                 }
@@ -355,7 +355,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e558 = f32((_e554.y >> bitcast<u32>(24u)));
                 let _e560 = global.member_29;
                 if (_e558 <= _e560) {
-                    let _e563 = global_3.member_9;
+                    let _e563 = global_3.member_8;
                     if (_e563 != 0u) {
                         let _e567 = atomicAdd((&global_2.member[1u]), 1u);
                     }
@@ -550,7 +550,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                         let _e1023 = phi_4487_;
                         if !(_e1023) {
-                            let _e1026 = global_3.member_9;
+                            let _e1026 = global_3.member_8;
                             if (_e1026 != 0u) {
                                 let _e1030 = atomicAdd((&global_2.member[2u]), 1u);
                             }
@@ -578,7 +578,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e1059 = u32(round((f32(u32(round((255f * (1f - _e1044))))) * ((1f - _e1052) + (_e1052 * sqrt((_e1012 / _e1016)))))));
                         let _e1060 = f32(_e1059);
                         if (_e1060 <= _e560) {
-                            let _e1063 = global_3.member_9;
+                            let _e1063 = global_3.member_8;
                             if (_e1063 != 0u) {
                                 let _e1067 = atomicAdd((&global_2.member[1u]), 1u);
                             }
@@ -597,7 +597,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                         let _e1095 = phi_4560_;
                         if !(_e1095) {
-                            let _e1098 = global_3.member_9;
+                            let _e1098 = global_3.member_8;
                             if (_e1098 != 0u) {
                                 let _e1102 = atomicAdd((&global_2.member[0u]), 1u);
                             }

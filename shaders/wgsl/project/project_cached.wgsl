@@ -160,7 +160,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     default: {
                         let _e154 = global.member_6;
                         if !((_e138 >= _e154)) {
-                            let _e158 = global_2.member_9;
+                            let _e158 = global_2.member_8;
                             if (_e158 != 0u) {
                                 let _e162 = atomicAdd((&global_1.member[0u]), 1u);
                             }
@@ -216,7 +216,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             let _e263 = global.member_49;
                             let _e268 = any((_e217 > ((((((abs(_e238) / vec2(_e138)) * (vec2<f32>(1f, 1f) + max(abs(_e231), abs(_e234)))) * (sqrt(max(max(dot(_e149, _e149), dot(_e150, _e150)), dot(_e151, _e151))) * (1.7320508f * (_e200 * exp2(((f32(((_e80 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)))))) + vec2(sqrt(_e246))) * (sqrt((2f * log(max((255f / _e251), 1f)))) * sqrt(_e258))) * (1.01f * max(_e263, 0f)))));
                             if _e268 {
-                                let _e270 = global_2.member_9;
+                                let _e270 = global_2.member_8;
                                 if (_e270 != 0u) {
                                     let _e274 = atomicAdd((&global_1.member[0u]), 1u);
                                 }
@@ -236,7 +236,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e279 = f32((_e80 >> bitcast<u32>(24u)));
                 let _e281 = global.member_29;
                 if (_e279 <= _e281) {
-                    let _e284 = global_2.member_9;
+                    let _e284 = global_2.member_8;
                     if (_e284 != 0u) {
                         let _e288 = atomicAdd((&global_1.member[1u]), 1u);
                     }
@@ -280,7 +280,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                         let _e386 = phi_1909_;
                         if !(_e386) {
-                            let _e389 = global_2.member_9;
+                            let _e389 = global_2.member_8;
                             if (_e389 != 0u) {
                                 let _e393 = atomicAdd((&global_1.member[2u]), 1u);
                             }
@@ -309,7 +309,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e424 = u32(round((f32(u32(round((255f * (1f - _e409))))) * ((1f - _e417) + (_e417 * sqrt((_e375 / _e379)))))));
                         let _e425 = f32(_e424);
                         if (_e425 <= _e281) {
-                            let _e428 = global_2.member_9;
+                            let _e428 = global_2.member_8;
                             if (_e428 != 0u) {
                                 let _e432 = atomicAdd((&global_1.member[1u]), 1u);
                             }
@@ -328,7 +328,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                         let _e460 = phi_1982_;
                         if !(_e460) {
-                            let _e463 = global_2.member_9;
+                            let _e463 = global_2.member_8;
                             if (_e463 != 0u) {
                                 let _e467 = atomicAdd((&global_1.member[0u]), 1u);
                             }

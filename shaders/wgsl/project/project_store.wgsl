@@ -247,7 +247,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     default: {
                         let _e391 = global.member_6;
                         if !((_e374 >= _e391)) {
-                            let _e395 = global_3.member_9;
+                            let _e395 = global_3.member_8;
                             if (_e395 != 0u) {
                                 let _e399 = atomicAdd((&global_2.member[0u]), 1u);
                             }
@@ -303,7 +303,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             let _e505 = global.member_49;
                             let _e510 = any((_e459 > ((((((abs(_e480) / vec2(_e374)) * (vec2<f32>(1f, 1f) + max(abs(_e473), abs(_e476)))) * (sqrt(max(max(dot(_e385, _e385), dot(_e386, _e386)), dot(_e387, _e387))) * exp(min(max(max(_e266.x, _e266.y), _e266.z), 9f)))) + vec2(sqrt(_e488))) * (sqrt((2f * log(max((255f / _e493), 1f)))) * sqrt(_e500))) * (1.01f * max(_e505, 0f)))));
                             if _e510 {
-                                let _e512 = global_3.member_9;
+                                let _e512 = global_3.member_8;
                                 if (_e512 != 0u) {
                                     let _e516 = atomicAdd((&global_2.member[0u]), 1u);
                                 }
@@ -536,7 +536,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 }
                 let _e1123 = phi_3098_;
                 if _e1123 {
-                    let _e1125 = global_3.member_9;
+                    let _e1125 = global_3.member_8;
                     if (_e1125 != 0u) {
                         let _e1129 = atomicAdd((&global_2.member[1u]), 1u);
                     }
@@ -579,7 +579,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                         let _e1185 = phi_4815_;
                         if !(_e1185) {
-                            let _e1188 = global_3.member_9;
+                            let _e1188 = global_3.member_8;
                             if (_e1188 != 0u) {
                                 let _e1192 = atomicAdd((&global_2.member[2u]), 1u);
                             }
@@ -608,7 +608,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e1223 = f32(_e1222);
                         let _e1225 = global.member_29;
                         if (_e1223 <= _e1225) {
-                            let _e1228 = global_3.member_9;
+                            let _e1228 = global_3.member_8;
                             if (_e1228 != 0u) {
                                 let _e1232 = atomicAdd((&global_2.member[1u]), 1u);
                             }
@@ -627,7 +627,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                         let _e1260 = phi_4888_;
                         if !(_e1260) {
-                            let _e1263 = global_3.member_9;
+                            let _e1263 = global_3.member_8;
                             if (_e1263 != 0u) {
                                 let _e1267 = atomicAdd((&global_2.member[0u]), 1u);
                             }

@@ -104,8 +104,8 @@ struct SettingsBlock {
     key_capacity: u32,
     scanned: u32,
     key_count: u32,
-    blocks: u32,
     counted: u32,
+    unused: u32,
     first_region: vec2<u32>,
     counts_start: u32,
     starts_start: u32,
@@ -1102,7 +1102,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_14: vec2<u32>;
     var param_15: vec4<f32>;
     var param_16: bool;
-    var phi_1396_: bool;
+    var phi_1395_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -1164,12 +1164,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_14), (&param_15), (&param_16));
     let _e98 = settings.counted;
     let _e99 = (_e98 != 0u);
-    phi_1396_ = _e99;
+    phi_1395_ = _e99;
     if _e99 {
         let _e101 = samples.evaluated;
-        phi_1396_ = (_e101 > 0u);
+        phi_1395_ = (_e101 > 0u);
     }
-    let _e104 = phi_1396_;
+    let _e104 = phi_1395_;
     if _e104 {
         let _e108 = samples.evaluated;
         let _e109 = atomicAdd((&unnamed_3.control.fragments), _e108);

@@ -14,7 +14,7 @@ use crate::{
 };
 use anyhow::{Context, ensure};
 use effigy::vulkan::{trials, tuning::Record};
-use effigy_core::{frame::RendererOptions, io::cameras, scene::Camera};
+use effigy_core::{io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Parameter, RenderSetting, measured, open,
     report::{BenchReport, SweepReport},
@@ -84,9 +84,6 @@ pub struct Args {
     /// Share of the avatar's basis rows to use, 0 to 1
     #[arg(long, alias = "rows", value_name = "SHARE", default_value_t = 1.0, value_parser = options::share)]
     row_share: f64,
-    /// Read f16 as 32-bit words even on a device with 16-bit storage
-    #[arg(long)]
-    words: bool,
     /// Also write the result as JSON; without FILE, print JSON and nothing else
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", value_parser = JSON.parser())]
     json: Option<Output>,
@@ -211,10 +208,7 @@ impl Args {
             "a sweep needs errors to compare with times: give --check of at least 1"
         );
         let setting = RenderSetting {
-            options: RendererOptions {
-                packed_words: self.words.then_some(true),
-                ..self.quality.renderer(size)
-            },
+            options: self.quality.renderer(size),
             rows: self.row_share,
             hold,
         };

@@ -33,12 +33,6 @@ pub fn optional(probe: &Probe) -> Vec<Optional> {
     };
     vec![
         part(
-            "16-bit storage",
-            probe.half_storage,
-            "f16 storage buffers",
-            "f16 unpacked from words, same bytes",
-        ),
-        part(
             "timestamps",
             probe.timestamp_bits > 0,
             "times of each stage",

@@ -154,8 +154,7 @@ kernels! {
     QUADS_TESTED = ["raster/quads.vert"]
         [read(1, Order), read(2, Splats), read(3, Control), read(4, Bins)];
     /// Tiles by lists of tiles.
-    RASTER_TILES = ["raster/per_thread_rgba8.comp", "raster/per_thread_rgba16f.comp",
-                    "raster/cooperative_rgba8.comp", "raster/cooperative_rgba16f.comp"]
+    RASTER_TILES = ["raster/cooperative_rgba8.comp", "raster/cooperative_rgba16f.comp"]
         [read(1, Splats), update(2, Control), read(3, TileLists), write(4, Image)];
     /// Tiles by lists of bins.
     RASTER_BINS = ["raster/shared_rgba8.comp", "raster/shared_rgba16f.comp"]

@@ -26,7 +26,7 @@ pub use check::Unusable;
 pub use counters::{Counters, CullReasons};
 pub use damage::Damage;
 pub use keys::KeyBits;
-pub use options::{ColorFormat, RasterMethod, RendererOptions, SortVariant, TileKernel};
+pub use options::{ColorFormat, RasterMethod, RendererOptions, SortVariant};
 pub use passes::Stage;
 pub use report::FrameReport;
 pub use schedule::Schedule;

@@ -1,8 +1,6 @@
 //! Renderer options: everything that trades time or memory for quality.
 
 use super::{KeyBits, Skip};
-#[cfg(doc)]
-use crate::layout::PROJECT_WORKGROUPS;
 use crate::layout::{
     SORT_DIGITS, SORT_GROUP, SORT_ONESWEEP_TILE, SORT_RUNS, SORT_STATE, SORT_TILE,
 };
@@ -22,18 +20,10 @@ pub struct RendererOptions {
     pub color: Option<ColorFormat>,
     /// How splats are rasterized. None: the method recommended for the device.
     pub method: Option<RasterMethod>,
-    /// The kernel of [`RasterMethod::Tiles`]. None: the one recommended for the device.
-    pub kernel: Option<TileKernel>,
     /// Width of the sort keys. None: 22 bits with Vulkan, 16 with WebGPU, which has no others.
     pub key_bits: Option<KeyBits>,
     /// How to sort. None: the fastest variant that passes the device's self-test.
     pub sort: Option<SortVariant>,
-    /// Read f16 as words even where the device has 16-bit storage. None: where that was measured to
-    /// be faster. WebGPU has nothing else.
-    pub packed_words: Option<bool>,
-    /// Invocations of a workgroup of the `project` stage: one of [`PROJECT_WORKGROUPS`]. None: as was
-    /// measured to be fastest, else 64. WebGPU has no others.
-    pub workgroup: Option<u32>,
     /// Work that may be skipped where the scene does not need it.
     pub skip: Skip,
     /// Contributions below this opacity are not drawn, at least 1/255 (docs/model.md, step 10).
@@ -68,11 +58,8 @@ impl RendererOptions {
             size,
             color: None,
             method: None,
-            kernel: None,
             key_bits: None,
             sort: None,
-            packed_words: None,
-            workgroup: None,
             skip: Skip::all(),
             cutoff: ALPHA_MIN,
             detail: Detail::FULL,
@@ -89,7 +76,7 @@ impl RendererOptions {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ColorFormat {
     /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian by [`RasterMethod::Quads`],
-    /// once by [`RasterMethod::Tiles`].
+    /// once by tiles.
     Rgba8,
     /// 16-bit floating point: 8 bytes a pixel.
     #[default]
@@ -106,60 +93,45 @@ impl ColorFormat {
     }
 }
 
-/// How splats are rasterized.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// How splats are rasterized: one way for each class of device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum RasterMethod {
-    /// Quads through the graphics pipeline; tile-based GPUs blend them in tile memory.
+    /// Quads through the graphics pipeline: for phones' GPUs, which blend them in tile memory.
     Quads,
-    /// A compute kernel over tiles of the image, which stops at saturated pixels.
-    Tiles,
+    /// A compute kernel whose workgroups of 256 invocations read the list of their bin in batches
+    /// into shared memory, with a bit for each 4 × 4 of its 32 × 32 pixels that a splat's ellipse
+    /// meets, until all pixels are saturated: for desktop GPUs.
+    SharedTiles,
+    /// A compute kernel whose subgroups each lie in one tile of at least 16 × 16 pixels and shuffle
+    /// splats between their 4 or 8 invocations, of 4 × 4 pixels each, until all are saturated: for
+    /// CPU drivers, which execute subgroups in step. Mali's compiler spills 700 registers.
+    CooperativeTiles,
 }
 
 impl RasterMethod {
     /// Every method.
-    pub const ALL: [Self; 2] = [Self::Quads, Self::Tiles];
+    pub const ALL: [Self; 3] = [Self::Quads, Self::SharedTiles, Self::CooperativeTiles];
 
     /// Its name on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Quads => "quads",
-            Self::Tiles => "tiles",
+            Self::SharedTiles => "tiles-shared",
+            Self::CooperativeTiles => "tiles-cooperative",
         }
+    }
+
+    /// Whether a compute kernel draws.
+    pub fn is_tiles(self) -> bool {
+        self != Self::Quads
     }
 
     /// The default format: 8 bits where each pixel is rounded once.
     pub fn color(self) -> ColorFormat {
-        match self {
-            Self::Quads => ColorFormat::Rgba16F,
-            Self::Tiles => ColorFormat::Rgba8,
-        }
-    }
-}
-
-/// The kernels of [`RasterMethod::Tiles`]: how invocations share the work of a tile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum TileKernel {
-    /// Each invocation walks its tiles' lists by itself: for CPU drivers.
-    PerThread,
-    /// Each subgroup lies in one tile and shuffles splats between its 8 invocations, of 4 × 4
-    /// pixels each, in tiles of at least 16 × 16 pixels: for CPU drivers that execute subgroups in
-    /// step. Mali's compiler spills 700 registers.
-    Cooperative,
-    /// A workgroup of 256 invocations reads the list of its bin in batches into shared memory, with
-    /// a bit for each 4 × 4 of its 32 × 32 pixels that a splat's ellipse meets: for GPUs.
-    Shared,
-}
-
-impl TileKernel {
-    /// Every kernel.
-    pub const ALL: [Self; 3] = [Self::PerThread, Self::Cooperative, Self::Shared];
-
-    /// Its name on the command line and in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::PerThread => "per-thread",
-            Self::Cooperative => "cooperative",
-            Self::Shared => "shared",
+        if self.is_tiles() {
+            ColorFormat::Rgba8
+        } else {
+            ColorFormat::Rgba16F
         }
     }
 }

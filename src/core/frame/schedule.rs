@@ -2,7 +2,6 @@
 
 use super::{
     FramePlan, RasterMethod, Skip,
-    options::TileKernel,
     passes::{ListForm, Pass, Stage, Target},
     resource::{PipelineStages, Resource},
     state::Layer,
@@ -72,13 +71,10 @@ impl ScheduledStage {
         self.commands.iter().filter_map(Command::pass)
     }
 
-    /// How it rasterizes, if it does.
-    pub fn raster_method(&self) -> Option<RasterMethod> {
-        self.passes().find_map(|pass| match pass {
-            Pass::RasterQuads { .. } => Some(RasterMethod::Quads),
-            Pass::RasterTiles { .. } => Some(RasterMethod::Tiles),
-            _ => None,
-        })
+    /// Whether it draws quads.
+    pub fn draws_quads(&self) -> bool {
+        self.passes()
+            .any(|pass| matches!(pass, Pass::RasterQuads { .. }))
     }
 }
 
@@ -102,8 +98,6 @@ pub struct Equipment {
     pub supersampling: bool,
     /// How splats are rasterized.
     pub method: RasterMethod,
-    /// The kernel of [`RasterMethod::Tiles`].
-    pub kernel: TileKernel,
     /// Work that frames may skip.
     pub skip: Skip,
 }
@@ -128,10 +122,10 @@ impl Equipment {
 
     /// The lists that it makes, if any.
     pub fn lists(&self) -> Option<ListForm> {
-        match (self.method, self.kernel) {
-            (RasterMethod::Quads, _) => self.tests_depth().then_some(ListForm::Bins),
-            (RasterMethod::Tiles, TileKernel::Shared) => Some(ListForm::Bins),
-            (RasterMethod::Tiles, _) => Some(ListForm::Tiles),
+        match self.method {
+            RasterMethod::Quads => self.tests_depth().then_some(ListForm::Bins),
+            RasterMethod::SharedTiles => Some(ListForm::Bins),
+            RasterMethod::CooperativeTiles => Some(ListForm::Tiles),
         }
     }
 
@@ -395,7 +389,7 @@ impl Recorder {
     fn raster(&mut self, equipment: &Equipment, tested: bool, target: Target) {
         let lists = equipment
             .lists()
-            .filter(|_| tested || equipment.method == RasterMethod::Tiles);
+            .filter(|_| tested || equipment.method.is_tiles());
         match lists {
             Some(ListForm::Tiles) => {
                 let lists = vec![Pass::ClearTileLists, Pass::Binning { target }];
@@ -407,9 +401,9 @@ impl Recorder {
         if tested {
             self.stage(Stage::Saturation, vec![Pass::Saturation]);
         }
-        let raster = match (equipment.method, lists) {
-            (RasterMethod::Tiles, Some(lists)) => Pass::RasterTiles { lists, target },
-            _ => Pass::RasterQuads { tested, target },
+        let raster = match lists.filter(|_| equipment.method.is_tiles()) {
+            Some(lists) => Pass::RasterTiles { lists, target },
+            None => Pass::RasterQuads { tested, target },
         };
         self.stage(Stage::Raster, vec![raster]);
     }
@@ -549,7 +543,6 @@ mod tests {
             sh,
             supersampling: false,
             method,
-            kernel: TileKernel::PerThread,
             skip: Skip::all() - Skip::DEPTH,
         }
     }
@@ -557,18 +550,14 @@ mod tests {
     /// Quads without and with the depth test, and tiles with either form of lists.
     fn every_raster() -> [Equipment; 4] {
         let quads = equipment(RasterMethod::Quads, false);
-        let tiles = equipment(RasterMethod::Tiles, false);
         [
             quads,
             Equipment {
                 skip: Skip::all(),
                 ..quads
             },
-            tiles,
-            Equipment {
-                kernel: TileKernel::Shared,
-                ..tiles
-            },
+            equipment(RasterMethod::SharedTiles, false),
+            equipment(RasterMethod::CooperativeTiles, false),
         ]
     }
 
@@ -614,7 +603,7 @@ mod tests {
     fn the_first_frame_runs_every_stage() {
         let mut planner = Planner::new(RendererOptions::new(SIZE));
         let poses = [planner.posed(0.1, 0.0)];
-        let tiles = equipment(RasterMethod::Tiles, true);
+        let tiles = equipment(RasterMethod::CooperativeTiles, true);
         let first = planner.frame(&poses, 0.0, &tiles);
         assert_eq!(
             names(&first),
@@ -660,7 +649,7 @@ mod tests {
     fn a_moved_camera_skips_the_networks() {
         let mut planner = Planner::new(RendererOptions::new(SIZE));
         let poses = [planner.posed(0.1, 0.0)];
-        let tiles = equipment(RasterMethod::Tiles, false);
+        let tiles = equipment(RasterMethod::CooperativeTiles, false);
         planner.frame(&poses, 0.0, &tiles);
         let second = planner.frame(&poses, 0.3, &tiles);
         assert_eq!(
@@ -675,7 +664,7 @@ mod tests {
     fn nothing_in_view_leaves_an_empty_image() {
         let mut planner = Planner::new(RendererOptions::new(SIZE));
         let far = [planner.posed(0.1, 1000.0)];
-        let tiles = equipment(RasterMethod::Tiles, false);
+        let tiles = equipment(RasterMethod::CooperativeTiles, false);
         let frame = planner.frame(&far, 0.0, &tiles);
         let reasons: Vec<_> = frame.skipped().collect();
         let stages = [Stage::Mlp, Stage::Project, Stage::Sort];
@@ -819,7 +808,11 @@ mod tests {
             ..RendererOptions::new(SIZE)
         });
         let poses = [-0.5, 0.5].map(|aside| planner.posed(0.1, aside));
-        let frame = planner.frame(&poses, 0.0, &equipment(RasterMethod::Tiles, true));
+        let frame = planner.frame(
+            &poses,
+            0.0,
+            &equipment(RasterMethod::CooperativeTiles, true),
+        );
         let order: Vec<_> = frame
             .passes()
             .filter_map(|pass| match pass {

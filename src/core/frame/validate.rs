@@ -5,7 +5,6 @@ use super::{RendererOptions, Unusable};
 use crate::{
     avatar::Filter,
     constants::ALPHA_MIN,
-    layout::PROJECT_WORKGROUPS,
     scene::{AvatarBounds, Camera, PoseShape, Posed},
 };
 
@@ -38,15 +37,6 @@ impl RendererOptions {
                 "the number of avatars in a scene",
                 self.instances,
                 format!("a number from 1 to {MAX_INSTANCES}"),
-            ));
-        }
-        if let Some(workgroup) = self.workgroup
-            && !PROJECT_WORKGROUPS.contains(&workgroup)
-        {
-            return Err(unusable(
-                "the workgroup of the project stage",
-                workgroup,
-                format!("one of {PROJECT_WORKGROUPS:?}"),
             ));
         }
         if let Some(filter) = self.filter

@@ -1,22 +1,15 @@
 //! Tile sizes and the memory of the tiles' lists.
 
-use super::{BINNING_BLOCK, BINNING_RUNS, RASTER_SQUARE, TILE_LEVELS};
+use super::{BINNING_BLOCK, BINNING_RUNS, TILE_LEVELS};
 
-/// Tiling of the Vulkan backend.
+/// How images are cut into tiles.
 pub const TILING: Tiling = Tiling {
     tiles_per_side: 128,
     min_tile: 16,
     blocks_per_splat: 1,
 };
-/// Tiling of the WebGPU backend: finer, since on a CPU driver four lanes blend 8 × 8 pixels at once
-/// and every splat of the tile costs time there, whether or not it covers them.
-pub const TILING_WEB: Tiling = Tiling {
-    tiles_per_side: 256,
-    min_tile: 2 * RASTER_SQUARE,
-    blocks_per_splat: 2,
-};
 
-/// How a backend cuts images into tiles.
+/// A way to cut images into tiles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiling {
     /// Maximum number of tiles along each side of an image; a power of two.
@@ -106,7 +99,7 @@ impl Tiling {
 
 #[cfg(test)]
 mod tests {
-    use super::{TILING, TILING_WEB};
+    use super::TILING;
 
     #[test]
     fn blocks_are_few_where_frames_ask_for_few() {
@@ -128,26 +121,20 @@ mod tests {
     fn tiles_are_as_small_as_their_maximum_number_allows() {
         let sides = [1, 1024, 1025, 2048, 2049, 8192].map(|side| TILING.tile([1, side]));
         assert_eq!(sides, [16, 16, 16, 16, 32, 64]);
-        assert_eq!(
-            [1024, 1025, 2048, 2049, 8192].map(|side| TILING_WEB.tile([1, side])),
-            [8, 8, 8, 16, 32]
-        );
     }
 
     #[test]
     fn tiles_of_all_levels_follow_each_other() {
-        for tiling in [TILING, TILING_WEB] {
-            let level = |level: u32| (tiling.tiles_per_side >> (2 * level)).pow(2);
-            assert_eq!(
-                [0, 1, 2, 3].map(|k| tiling.first_tile(k)),
-                [
-                    0,
-                    level(0),
-                    level(0) + level(1),
-                    level(0) + level(1) + level(2)
-                ]
-            );
-            assert_eq!(tiling.tiles(), tiling.first_tile(3) + 1);
-        }
+        let level = |level: u32| (TILING.tiles_per_side >> (2 * level)).pow(2);
+        assert_eq!(
+            [0, 1, 2, 3].map(|k| TILING.first_tile(k)),
+            [
+                0,
+                level(0),
+                level(0) + level(1),
+                level(0) + level(1) + level(2)
+            ]
+        );
+        assert_eq!(TILING.tiles(), TILING.first_tile(3) + 1);
     }
 }

@@ -14,10 +14,8 @@ use bytemuck::{Pod, Zeroable};
 pub const MLP_WORKGROUP: u32 = 64;
 /// Invocations of a workgroup of the sh stage.
 pub const SH_WORKGROUP: u32 = 64;
-/// Invocations of a workgroup of the project stage, where nothing else was chosen.
+/// Invocations of a workgroup of the `project` stage.
 pub const PROJECT_WORKGROUP: u32 = 64;
-/// Numbers of invocations to choose from: the 128 that every Vulkan device has, and fewer.
-pub const PROJECT_WORKGROUPS: [u32; 3] = [32, PROJECT_WORKGROUP, 128];
 /// Invocations of a workgroup of the sort: the 128 that every Vulkan device has.
 pub const SORT_WORKGROUP: u32 = 128;
 /// Keys of a tile of the reduce-then-scan sort.
@@ -276,10 +274,10 @@ pub struct SettingsBlock {
     pub scanned: u32,
     /// Keys that enter the sort.
     pub key_count: u32,
-    /// Blocks that the tiles' lists share; those of the last level come after them.
-    pub blocks: u32,
     /// Whether fragments and culled Gaussians are counted.
     pub counted: u32,
+    /// 0.
+    pub unused: u32,
     /// Column and row of the first region to draw.
     pub first_region: [u32; 2],
     /// [`BinLayout::counts_start`](super::BinLayout::counts_start).

@@ -1,7 +1,7 @@
 //! The constants that shaders see as macros, so that no number stands both in Rust and in GLSL.
 
 use super::{
-    binning::{TILING, TILING_WEB},
+    binning::TILING,
     compact::{NODE_BITS_MIN, QUATERNION_STEPS},
     gpu::*,
     train::*,
@@ -55,10 +55,8 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("GAUSSIAN_PAIRS", Uint(GAUSSIAN_PAIRS)),
     ("BLOCK_PAIRS", Uint(BLOCK_PAIRS)),
     ("PART_BITS", Uint(PART_BITS as u32)),
-    ("TILES_PER_SIDE_VULKAN", Uint(TILING.tiles_per_side)),
-    ("TILES_PER_SIDE_WEB", Uint(TILING_WEB.tiles_per_side)),
-    ("TILE_COUNT_VULKAN", Uint(TILING.tiles())),
-    ("TILE_COUNT_WEB", Uint(TILING_WEB.tiles())),
+    ("TILES_PER_SIDE", Uint(TILING.tiles_per_side)),
+    ("TILE_COUNT", Uint(TILING.tiles())),
     ("TILE_LEVELS", Uint(TILE_LEVELS)),
     ("BINNING_RUNS", Uint(BINNING_RUNS)),
     ("BINNING_WORKGROUP", Uint(BINNING_WORKGROUP)),

@@ -13,7 +13,7 @@ pub mod sh;
 mod train;
 
 pub use balance::Balance;
-pub use binning::{TILING, TILING_WEB};
+pub use binning::TILING;
 pub use bins::{BinLayout, BinLists, bin_count, bin_side};
 pub use centers::CenterGrids;
 pub use gpu::*;

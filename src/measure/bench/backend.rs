@@ -4,12 +4,9 @@ use super::{report::DeviceReport, scene::BenchScene};
 use effigy::vulkan;
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
-#[cfg(feature = "webgpu")]
-use effigy_core::layout::TILING_WEB;
 use effigy_core::{
     avatar::Avatar,
     frame::{FrameReport, RendererOptions},
-    layout::{TILING, binning::Tiling},
     scene::{FrameImage, Posed},
 };
 use std::sync::Arc;
@@ -57,15 +54,6 @@ pub enum BenchDevice {
 }
 
 impl BenchDevice {
-    /// How the backend divides images into tiles.
-    pub fn tiling(&self) -> Tiling {
-        match self {
-            Self::Vulkan(_) => TILING,
-            #[cfg(feature = "webgpu")]
-            Self::WebGpu(_) => TILING_WEB,
-        }
-    }
-
     /// The options with everything that was left open set as the device recommends.
     pub fn resolve(&self, options: RendererOptions) -> RendererOptions {
         match self {
@@ -123,7 +111,6 @@ impl BenchDevice {
                     .trim()
                     .to_owned(),
                 vulkan: String::new(),
-                half_storage: false,
                 subgroup_size: 0,
                 timestamps: self.is_timed(),
                 backend: "webgpu".into(),

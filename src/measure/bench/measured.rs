@@ -17,6 +17,7 @@ use crate::{
 use effigy_core::{
     avatar::Avatar,
     frame::{Counters, FrameReport, passes::Stage, report::stage_ms},
+    layout::TILING,
 };
 use effigy_runtime::trace::Trace;
 use std::collections::BTreeMap;
@@ -84,7 +85,7 @@ pub fn measure_case(
         flicker,
         memory,
         is_timed: gpu.is_timed(),
-        tile_head_bytes: gpu.tiling().head_bytes(),
+        tile_head_bytes: TILING.head_bytes(),
     };
     Ok(measured.report())
 }

@@ -31,8 +31,6 @@ const HOLDS: [usize; 5] = [1, 2, 3, 4, 6];
 pub enum Parameter {
     /// All options of a preset at once.
     Preset,
-    /// How f16 is read.
-    Storage,
     /// Bits of the depth keys.
     Keys,
     /// Format of the image.
@@ -67,9 +65,8 @@ pub struct ParameterValue {
 impl Parameter {
     /// Every parameter. The last is for a closer look at [`Parameter::Skip`] and not part of a
     /// sweep of all.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 11] = [
         Self::Preset,
-        Self::Storage,
         Self::Keys,
         Self::Color,
         Self::Raster,
@@ -86,7 +83,6 @@ impl Parameter {
     pub fn name(self) -> &'static str {
         match self {
             Self::Preset => PRESET,
-            Self::Storage => "storage",
             Self::Keys => "keys",
             Self::Color => "color",
             Self::Raster => "raster",
@@ -110,7 +106,6 @@ impl Parameter {
                     values.add(preset, |s| s.options = preset.apply(s.options));
                 }
             }
-            Self::Storage => values.add("words", |s| s.options.packed_words = Some(true)),
             Self::Keys => {
                 for keys in KEYS.into_iter().filter(|&keys| keys != options.keys()) {
                     values.add(bits_of_keys(keys), |s| s.options.key_bits = Some(keys));
@@ -326,9 +321,6 @@ mod tests {
                         let mut options = setting.options;
                         match parameter {
                             Parameter::Keys => options.key_bits = base().options.key_bits,
-                            Parameter::Storage => {
-                                options.packed_words = base().options.packed_words
-                            }
                             Parameter::Color => options.color = base().options.color,
                             Parameter::Raster => options.method = base().options.method,
                             Parameter::Cutoff => options.cutoff = base().options.cutoff,

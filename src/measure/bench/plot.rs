@@ -19,7 +19,6 @@ const FRONT: RGBColor = RGBColor(208, 52, 44);
 /// A colour for each parameter, in the order of [`Parameter::ALL`].
 static COLORS: [RGBColor; Parameter::ALL.len()] = [
     RGBColor(20, 20, 20),
-    RGBColor(127, 127, 127),
     RGBColor(31, 119, 180),
     RGBColor(174, 199, 232),
     RGBColor(255, 127, 14),

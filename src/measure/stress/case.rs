@@ -8,13 +8,12 @@ use super::{
 use effigy::vulkan::{
     RendererOptions,
     probe::Probe,
-    raster::{ColorFormat, RasterMethod, TileKernel},
+    raster::{ColorFormat, RasterMethod},
     sort::KeyBits,
 };
 use effigy_core::{
     avatar::{Avatar, Filter, Pose},
     frame::Skip,
-    layout::PROJECT_WORKGROUP,
     random::Random,
     reference::{self, Culled, project::Gaussian},
     scene::{Camera, Posed, Supersampling},
@@ -45,9 +44,7 @@ pub enum Rasterizer {
     Quads,
     /// Quads tested against the saturation depth, where an avatar is large enough for it.
     TestedQuads,
-    /// Tiles by the kernel whose invocations work alone.
-    PerThread,
-    /// Tiles by the kernel whose subgroups work together; where a device can't, by the one before.
+    /// Tiles by the kernel whose subgroups work together; where a device can't, by the next.
     Cooperative,
     /// Tiles by the kernel whose workgroups share a batch.
     Shared,
@@ -55,24 +52,20 @@ pub enum Rasterizer {
 
 impl Rasterizer {
     /// Every rasterizer.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 4] = [
         Self::Quads,
         Self::TestedQuads,
-        Self::PerThread,
         Self::Cooperative,
         Self::Shared,
     ];
 
     /// That of a case's options.
     pub fn of(options: &RendererOptions) -> Self {
-        match (options.method, options.kernel) {
-            (Some(RasterMethod::Quads), _) if options.skip.contains(Skip::DEPTH) => {
-                Self::TestedQuads
-            }
-            (Some(RasterMethod::Quads), _) => Self::Quads,
-            (_, Some(TileKernel::Cooperative)) => Self::Cooperative,
-            (_, Some(TileKernel::Shared)) => Self::Shared,
-            _ => Self::PerThread,
+        match options.method {
+            Some(RasterMethod::Quads) if options.skip.contains(Skip::DEPTH) => Self::TestedQuads,
+            Some(RasterMethod::Quads) => Self::Quads,
+            Some(RasterMethod::CooperativeTiles) => Self::Cooperative,
+            _ => Self::Shared,
         }
     }
 
@@ -81,7 +74,6 @@ impl Rasterizer {
         match self {
             Self::Quads => "quads",
             Self::TestedQuads => "quads, tested",
-            Self::PerThread => "tiles, per thread",
             Self::Cooperative => "tiles, cooperative",
             Self::Shared => "tiles, shared",
         }
@@ -92,12 +84,8 @@ impl Rasterizer {
         options.skip.set(Skip::DEPTH, self == Self::TestedQuads);
         options.method = Some(match self {
             Self::Quads | Self::TestedQuads => RasterMethod::Quads,
-            _ => RasterMethod::Tiles,
-        });
-        options.kernel = Some(match self {
-            Self::Cooperative => TileKernel::Cooperative,
-            Self::Shared => TileKernel::Shared,
-            _ => TileKernel::PerThread,
+            Self::Cooperative => RasterMethod::CooperativeTiles,
+            Self::Shared => RasterMethod::SharedTiles,
         });
     }
 }
@@ -260,23 +248,19 @@ impl StressCase {
         }
     }
 
-    /// The case as a device can draw it: by tiles if it can't draw triangles, and by a kernel of
-    /// tiles that it can run.
+    /// The case as a device can draw it: by a method that it can run, and without what needs
+    /// triangles if it can't draw any.
     pub fn for_device(mut self, probe: &Probe) -> Self {
         let options = &mut self.options;
         if !probe.draws_triangles() {
             options.supersampling = Supersampling::OFF;
-            options.method = Some(RasterMethod::Tiles);
             options.skip -= Skip::DEPTH;
         }
-        if let Some(kernel) = options.kernel
-            && probe.lacks_for(kernel).is_some()
-        {
-            options.kernel = Some(TileKernel::PerThread);
+        let can = |method: &RasterMethod| probe.lacks_for(*method).is_none();
+        if options.method.is_some_and(|method| !can(&method)) {
+            let others = [RasterMethod::SharedTiles, RasterMethod::Quads];
+            options.method = others.into_iter().find(can);
         }
-        // What was measured for the user must not decide how a number is replayed.
-        options.packed_words = Some(false);
-        options.workgroup = Some(PROJECT_WORKGROUP);
         self
     }
 

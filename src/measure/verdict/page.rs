@@ -48,15 +48,10 @@ impl Verdict {
         page.line(&format!("# Verdict on {name}"));
         if let Some(device) = device {
             page.paragraph(&format!(
-                "{}, Vulkan {}, subgroups of {}, {}{}.",
+                "{}, Vulkan {}, subgroups of {}{}.",
                 device.driver,
                 device.vulkan,
                 device.subgroup_size,
-                if device.half_storage {
-                    "16-bit storage"
-                } else {
-                    "no 16-bit storage"
-                },
                 if device.timestamps {
                     ""
                 } else {

@@ -37,8 +37,6 @@ pub struct Gpu {
     pub(crate) kept_pipelines: KeptPipelines,
     /// Limits, features and extensions of the physical device.
     pub probe: Probe,
-    /// Whether shaders read f16 from storage buffers.
-    pub half_storage: bool,
     /// Reads the device's and the host's clock at once. None where the driver can't.
     pub(crate) calibration: Option<Calibration>,
     /// The swapchain extension's functions. None where the device was opened without a window.
@@ -83,7 +81,6 @@ impl Gpu {
             return Err(Error::NoStatistics { device: probe.name });
         }
         let features = DeviceFeatures {
-            half_storage: probe.half_storage,
             window: !options.surface_extensions.is_empty() && probe.has(khr::swapchain::NAME),
             statistics: options.statistics,
         };
@@ -120,7 +117,6 @@ impl Gpu {
             allocator: ManuallyDrop::new(Arc::new(Mutex::new(allocator))),
             cache,
             kept_pipelines: KeptPipelines::default(),
-            half_storage: features.half_storage,
             calibration: Calibration::new(&device, &probe),
             #[cfg(feature = "window")]
             swapchain,

@@ -18,7 +18,6 @@ pub(crate) struct Identity {
     subgroup_size: u32,
     subgroup_sizes: Option<[u32; 2]>,
     subgroup_ballot: bool,
-    half_storage: bool,
 }
 
 impl Identity {
@@ -36,7 +35,6 @@ impl Identity {
             subgroup_size: probe.subgroup_size,
             subgroup_sizes: probe.subgroup_sizes,
             subgroup_ballot: probe.subgroup_ballot,
-            half_storage: gpu.half_storage,
         }
     }
 
@@ -48,13 +46,7 @@ impl Identity {
     /// A hash of what tells devices, and ways to open one, apart: not of versions.
     pub fn device_hash(&self) -> u64 {
         let [least, most] = self.subgroup_sizes.unwrap_or_default();
-        let numbers = [
-            self.subgroup_size,
-            least,
-            most,
-            self.subgroup_ballot.into(),
-            self.half_storage.into(),
-        ];
+        let numbers = [self.subgroup_size, least, most, self.subgroup_ballot.into()];
         let numbers = numbers.iter().flat_map(|number| number.to_le_bytes());
         hash::extend(hash::EMPTY, self.device.bytes().chain(numbers))
     }

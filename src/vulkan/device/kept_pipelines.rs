@@ -12,8 +12,6 @@ use std::{
 pub(crate) struct PipelineKey {
     /// The module's file.
     pub module: &'static str,
-    /// Whether it reads f16 as words.
-    pub packed_words: bool,
     /// Specialization constants.
     pub constants: Vec<u32>,
     /// Required size of subgroups.

@@ -25,8 +25,6 @@ const PATIENCE_CPU: Duration = Duration::from_secs(120);
 /// Optional features that a logical device is opened with.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DeviceFeatures {
-    /// Shaders read f16 from storage buffers.
-    pub half_storage: bool,
     /// Swapchains.
     pub window: bool,
     /// Pipelines tell what the driver's compiler made of them.
@@ -163,17 +161,12 @@ fn create(
     let mut sizes = vk::PhysicalDeviceSubgroupSizeControlFeatures::default()
         .subgroup_size_control(true)
         .compute_full_subgroups(true);
-    let mut storage =
-        vk::PhysicalDevice16BitStorageFeatures::default().storage_buffer16_bit_access(true);
     let core =
         vk::PhysicalDeviceFeatures::default().pipeline_statistics_query(probe.pipeline_statistics);
     let mut info = vk::DeviceCreateInfo::default()
         .queue_create_infos(&queues)
         .enabled_extension_names(&extensions)
         .enabled_features(&core);
-    if features.half_storage {
-        info = info.push_next(&mut storage);
-    }
     if features.statistics {
         info = info.push_next(&mut executables);
     }

@@ -7,7 +7,7 @@ use super::{
 use crate::quirks;
 use ash::{ext, google, khr, vk};
 use effigy_core::{
-    frame::TileKernel,
+    frame::RasterMethod,
     layout::{SHARED_WORKGROUP, SORT_WORKGROUP},
 };
 use std::ffi::CStr;
@@ -39,8 +39,6 @@ pub struct Probe {
     pub queue_family: Option<u32>,
     /// Valid bits of that family's timestamps; 0 where it has none.
     pub timestamp_bits: u32,
-    /// Shaders can read 16-bit values from storage buffers.
-    pub half_storage: bool,
     /// The driver tells what its compiler makes of shaders.
     pub shader_statistics: bool,
     /// Fragments can be counted.
@@ -68,15 +66,23 @@ impl Probe {
         self.kind == vk::PhysicalDeviceType::CPU
     }
 
-    /// Why it can't run a kernel of tiles. None: it can.
-    pub fn lacks_for(&self, kernel: TileKernel) -> Option<&'static str> {
+    /// What it lacks to draw by a method. None: it can.
+    pub fn lacks_for(&self, method: RasterMethod) -> Option<&'static str> {
         let [width, ..] = self.limits.max_compute_work_group_size;
         let invocations = width.min(self.limits.max_compute_work_group_invocations);
-        match kernel {
-            TileKernel::Cooperative if !self.subgroup_shuffle || self.subgroup_size != 8 => {
-                Some("for cooperative tiles: subgroups of 8 with shuffles")
+        match method {
+            RasterMethod::Quads if !self.draws_triangles() => {
+                Some("for quads: a driver that survives drawing triangles")
             }
-            TileKernel::Shared if invocations < SHARED_WORKGROUP => {
+            RasterMethod::CooperativeTiles if self.driver.starts_with("SwiftShader") => {
+                Some("for cooperative tiles: a driver that compiles them in less than 10 s")
+            }
+            RasterMethod::CooperativeTiles
+                if !self.subgroup_shuffle || ![4, 8].contains(&self.subgroup_size) =>
+            {
+                Some("for cooperative tiles: subgroups of 4 or 8 with shuffles")
+            }
+            RasterMethod::SharedTiles if invocations < SHARED_WORKGROUP => {
                 Some("for shared-memory tiles: workgroups of 256 invocations")
             }
             _ => None,
@@ -116,7 +122,6 @@ impl Probe {
         let mut subgroup = vk::PhysicalDeviceSubgroupProperties::default();
         let mut id = vk::PhysicalDeviceIDProperties::default();
         let mut driver = vk::PhysicalDeviceDriverProperties::default();
-        let mut storage = vk::PhysicalDevice16BitStorageFeatures::default();
         let mut sizes = vk::PhysicalDeviceSubgroupSizeControlProperties::default();
         let mut executables = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default();
         let mut sizes_chosen = vk::PhysicalDeviceSubgroupSizeControlFeatures::default();
@@ -128,7 +133,7 @@ impl Probe {
             if has(khr::driver_properties::NAME) || basic.api_version >= vk::API_VERSION_1_2 {
                 properties = properties.push_next(&mut driver);
             }
-            let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut storage);
+            let mut features = vk::PhysicalDeviceFeatures2::default();
             if has(ext::subgroup_size_control::NAME) {
                 properties = properties.push_next(&mut sizes);
                 features = features.push_next(&mut sizes_chosen);
@@ -187,7 +192,6 @@ impl Probe {
             timestamp_bits: queue_family.map_or(0, |family| families[family].timestamp_valid_bits),
             pipeline_statistics: core.pipeline_statistics_query == vk::TRUE,
             shader_statistics: executables.pipeline_executable_info == vk::TRUE,
-            half_storage: storage.storage_buffer16_bit_access == vk::TRUE,
             subgroup_size: subgroup.subgroup_size,
             subgroup_shuffle: subgroup.supported_operations.contains(subgroup_all)
                 && subgroup
@@ -249,7 +253,6 @@ impl Probe {
         Self {
             api_version: vk::API_VERSION_1_1.min(self.api_version),
             timestamp_bits: 0,
-            half_storage: false,
             shader_statistics: false,
             pipeline_statistics: false,
             subgroup_ballot: false,

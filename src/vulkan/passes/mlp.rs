@@ -15,14 +15,8 @@ pub struct Mlp {
 }
 
 impl Mlp {
-    /// Writes features, then nodes in the order of their parts. `launch`: whether f16 is read as
-    /// words.
-    pub(crate) fn new(
-        gpu: &Arc<Gpu>,
-        model: &Model,
-        memory: &FrameMemory,
-        launch: Launch,
-    ) -> Result<Self> {
+    /// Writes features, then nodes in the order of their parts.
+    pub(crate) fn new(gpu: &Arc<Gpu>, model: &Model, memory: &FrameMemory) -> Result<Self> {
         let memory = memory
             .with(Resource::Networks, &model.networks)
             .with(Resource::Nodes, &model.nodes)
@@ -33,7 +27,7 @@ impl Mlp {
             &shaders::MLP
         };
         Ok(Self {
-            kernel: Kernel::of_frame(gpu, &kernels::MLP, module, &[], &memory, launch)?,
+            kernel: Kernel::of_frame(gpu, &kernels::MLP, module, &[], &memory, Launch::default())?,
         })
     }
 

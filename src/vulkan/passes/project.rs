@@ -35,8 +35,6 @@ pub struct Project {
     /// Of the avatar, then of its levels, the finest first.
     sets: Vec<SetKernels>,
     counted: bool,
-    /// Invocations of a workgroup.
-    workgroup: u32,
     layout: SplatBufferLayout,
     /// Splats, keys, the sort's counts, reasons, and the pose cache once there is one.
     buffer: Buffer,
@@ -114,7 +112,6 @@ impl Project {
             [0, 0]
         };
         let buffer = splat_buffer(gpu, layout.posed)?;
-        let workgroup = options.workgroup.unwrap_or(PROJECT_WORKGROUP);
         let halves = u32::from(options.keys().halves());
         let set = |set: &GaussianSet| -> Result<SetKernels> {
             let memory = memory
@@ -122,7 +119,7 @@ impl Project {
                 .with(Resource::Rows, &set.rows)
                 .with(Resource::Splats, &buffer);
             let kernel = |spec: &KernelSpec, module, stores: u32| {
-                let constants = [stores, counting[0], counting[1], workgroup, halves];
+                let constants = [stores, counting[0], counting[1], halves];
                 Kernel::of_frame(gpu, spec, module, &constants, &memory, Launch::default())
             };
             let caching = if caches {
@@ -142,7 +139,6 @@ impl Project {
         Ok(Self {
             sets,
             counted: options.count,
-            workgroup,
             layout,
             buffer,
             has_cache: false,
@@ -279,7 +275,7 @@ impl Project {
             (Skinning::Cached, Some(caching)) => &caching.cached,
             _ => &set.compute,
         };
-        kernel.dispatch(commands, frame, drawn.div_ceil(self.workgroup));
+        kernel.dispatch(commands, frame, drawn.div_ceil(PROJECT_WORKGROUP));
     }
 }
 

@@ -28,13 +28,11 @@ pub struct SphericalHarmonics {
 
 impl SphericalHarmonics {
     /// Writes to the colours in `set`, the avatar's Gaussians. None for an avatar without harmonics.
-    /// `launch`: whether f16 is read as words.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
         set: &GaussianSet,
         memory: &FrameMemory,
-        launch: Launch,
     ) -> Result<Option<Self>> {
         let Some(coefficients) = &avatar.sh else {
             return Ok(None);
@@ -55,6 +53,7 @@ impl SphericalHarmonics {
             .with(Resource::LowHarmonics, &low)
             .with(Resource::HighHarmonics, &high);
         let degree = [coefficients.degree as u32];
+        let launch = Launch::default();
         let kernel = Kernel::of_frame(gpu, &kernels::SH, &shaders::SH, &degree, &memory, launch)?;
         Ok(Some(Self {
             kernel,

@@ -152,8 +152,8 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
             device: gpu.probe.name.clone(),
         });
     }
-    let vertex = shader_module(gpu, drawing.vertex, false)?;
-    let fragment = shader_module(gpu, drawing.fragment, false)?;
+    let vertex = shader_module(gpu, drawing.vertex)?;
+    let fragment = shader_module(gpu, drawing.fragment)?;
     let entries = specialization_entries(drawing.constants);
     let specialization = vk::SpecializationInfo::default()
         .map_entries(&entries)

@@ -30,8 +30,6 @@ pub struct Launch {
     /// Whether a dispatch may start at another workgroup than the first: see
     /// [`Kernel::dispatch_within`].
     pub anywhere: bool,
-    /// Whether it reads f16 as words even where the device has 16-bit storage.
-    pub packed_words: bool,
 }
 
 /// A compute pipeline and what it binds.
@@ -188,7 +186,6 @@ fn compute_pipeline(
 ) -> Result<Arc<SharedPipeline>> {
     let key = PipelineKey {
         module: module.file,
-        packed_words: launch.packed_words,
         constants: constants.to_vec(),
         subgroup: launch.subgroup,
         anywhere: launch.anywhere,
@@ -212,7 +209,7 @@ fn new_pipeline(
     layout: vk::PipelineLayout,
     launch: Launch,
 ) -> Result<Pipeline> {
-    let shader = shader_module(gpu, module, launch.packed_words)?;
+    let shader = shader_module(gpu, module)?;
     let entries = specialization_entries(constants);
     let specialization = vk::SpecializationInfo::default()
         .map_entries(&entries)

@@ -9,15 +9,9 @@ use crate::vulkan::device::{
 use ash::vk;
 use std::sync::Arc;
 
-/// A shader module, which lives while its pipeline is made. `packed_words`: whether it reads f16 as
-/// words even where the device has 16-bit storage.
-pub(crate) fn shader_module(
-    gpu: &Arc<Gpu>,
-    module: &Module,
-    packed_words: bool,
-) -> Result<ShaderModule> {
-    let half_storage = gpu.half_storage && !packed_words;
-    let code: Vec<u32> = bytemuck::pod_collect_to_vec(module.spirv(half_storage));
+/// A shader module, which lives while its pipeline is made.
+pub(crate) fn shader_module(gpu: &Arc<Gpu>, module: &Module) -> Result<ShaderModule> {
+    let code: Vec<u32> = bytemuck::pod_collect_to_vec(module.spirv);
     let info = vk::ShaderModuleCreateInfo::default().code(&code);
     // SAFETY: `info` outlives the call; the code is compiled and validated when it is committed.
     // The module is new and belongs to its owner.

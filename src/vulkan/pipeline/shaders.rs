@@ -8,31 +8,20 @@
 use crate::hash;
 use ash::vk;
 use effigy_core::layout;
-use std::{fs, io, iter, path::Path, sync::LazyLock};
+use std::{fs, io, path::Path, sync::LazyLock};
 
 /// A shader and what it compiles to.
 pub struct Module {
     /// Path of the source below `shaders`, such as `sort/count.comp`.
     pub file: &'static str,
-    /// SPIR-V that reads packed words.
-    spirv: &'static [u8],
-    /// SPIR-V that reads f16 from storage buffers, for shaders that read half quads.
-    half: Option<&'static [u8]>,
+    /// What it compiles to.
+    pub spirv: &'static [u8],
 }
 
 impl Module {
-    /// A shader of another package, which reads no half quads. `file`: below `shaders`.
+    /// A shader of another package. `file`: below `shaders`.
     pub const fn new(file: &'static str, spirv: &'static [u8]) -> Self {
-        Self {
-            file,
-            spirv,
-            half: None,
-        }
-    }
-
-    /// SPIR-V for a device, with f16 storage buffers or without.
-    pub fn spirv(&self, half_storage: bool) -> &'static [u8] {
-        self.half.filter(|_| half_storage).unwrap_or(self.spirv)
+        Self { file, spirv }
     }
 
     /// The pipeline stage that the module is for, from the file's extension.
@@ -44,34 +33,20 @@ impl Module {
         }
     }
 
-    /// The compiled modules: one without f16 storage buffers and, if it differs, one with them.
-    pub fn compiled_modules(&self) -> impl Iterator<Item = &'static [u8]> {
-        iter::once(self.spirv).chain(self.half)
-    }
-
-    /// Whether there is a module of its own for devices with f16 storage buffers.
-    pub fn has_half(&self) -> bool {
-        self.half.is_some()
-    }
-
-    /// Path of the compiled file below `shaders/spv`, with f16 storage buffers or without.
-    pub fn compiled(&self, half: bool) -> String {
-        format!("{}{}.spv", self.file, if half { ".half" } else { "" })
+    /// Path of the compiled file below `shaders/spv`.
+    pub fn compiled(&self) -> String {
+        format!("{}.spv", self.file)
     }
 }
 
-/// Makes a static of each row (its name, its file, and `half` if it reads half quads) and
-/// [`MODULES`] of all.
+/// Makes a static of each row (its name and its file) and [`MODULES`] of all.
 macro_rules! modules {
-    (@half $file:literal) => { None };
-    (@half $file:literal half) => { Some(compiled!($file, ".half.spv")) };
-    ($($constant:ident = $file:literal $(, $half:ident)?;)*) => {
+    ($($constant:ident = $file:literal;)*) => {
         $(
             #[doc = concat!("`shaders/", $file, "`.")]
             pub static $constant: Module = Module {
                 file: $file,
-                spirv: compiled!($file, ".spv"),
-                half: modules!(@half $file $($half)?),
+                spirv: include_bytes!(concat!("../../../shaders/spv/", $file, ".spv")),
             };
         )*
         /// Every module.
@@ -79,16 +54,10 @@ macro_rules! modules {
     };
 }
 
-macro_rules! compiled {
-    ($file:literal, $ending:literal) => {
-        include_bytes!(concat!("../../../shaders/spv/", $file, $ending))
-    };
-}
-
 modules! {
-    MLP = "mlp/mlp.comp", half;
+    MLP = "mlp/mlp.comp";
     MLP_BYTES = "mlp/mlp_bytes.comp";
-    SH = "sh/sh.comp", half;
+    SH = "sh/sh.comp";
     PROJECT = "project/project.comp";
     PROJECT_CACHED = "project/project_cached.comp";
     SORT_COUNT = "sort/count.comp";
@@ -107,8 +76,6 @@ modules! {
     SATURATION_DEPTH = "saturation/depth.frag";
     QUADS_VERTEX = "raster/quads.vert";
     QUADS_FRAGMENT = "raster/quads.frag";
-    RASTER_PER_THREAD_RGBA8 = "raster/per_thread_rgba8.comp";
-    RASTER_PER_THREAD_RGBA16F = "raster/per_thread_rgba16f.comp";
     RASTER_COOPERATIVE_RGBA8 = "raster/cooperative_rgba8.comp";
     RASTER_COOPERATIVE_RGBA16F = "raster/cooperative_rgba16f.comp";
     RASTER_SHARED_RGBA8 = "raster/shared_rgba8.comp";
@@ -136,24 +103,17 @@ pub(crate) fn all_hash() -> u64 {
 
 fn hash_of(is_meant: impl Fn(&Module) -> bool) -> u64 {
     let modules = MODULES.iter().filter(|module| is_meant(module));
-    let bytes = modules
-        .flat_map(|module| module.compiled_modules())
-        .flatten();
+    let bytes = modules.flat_map(|module| module.spirv);
     hash::extend(hash::EMPTY, bytes.copied())
 }
 
 /// File in `shaders/spv` with a line `name fingerprint` for each module.
 pub const FINGERPRINTS: &str = "fingerprints.txt";
 
-/// A hash of the source's own [`fingerprint`] and of the modules compiled from it.
-pub fn module_fingerprint<'a>(source: u64, compiled: impl IntoIterator<Item = &'a [u8]>) -> u64 {
-    hash::extend(
-        hash::EMPTY,
-        source
-            .to_le_bytes()
-            .into_iter()
-            .chain(compiled.into_iter().flatten().copied()),
-    )
+/// A hash of the source's own [`fingerprint`] and of what is compiled from it.
+pub fn module_fingerprint(source: u64, compiled: &[u8]) -> u64 {
+    let bytes = source.to_le_bytes().into_iter();
+    hash::extend(hash::EMPTY, bytes.chain(compiled.iter().copied()))
 }
 
 /// A hash (FNV-1a) of a shader's text, of every file that it includes and of the macros that it is

@@ -4,7 +4,7 @@
 //! | method | how | fragments |
 //! |---|---|---|
 //! | [`RasterMethod::Quads`] | a quad a splat, blended far to near by the device's blender | all that a quad covers; behind the saturation depth they fail the depth test |
-//! | [`RasterMethod::Tiles`] | `binning` lists the splats of each tile or bin, a kernel blends each pixel near to far | none behind a saturated pixel |
+//! | [`RasterMethod::SharedTiles`], [`RasterMethod::CooperativeTiles`] | `binning` lists the splats of each bin or tile, a kernel blends each pixel near to far | none behind a saturated pixel |
 
 mod bins;
 pub(crate) mod download;
@@ -19,10 +19,9 @@ pub(crate) mod target;
 mod tiles;
 
 pub use effigy_core::{
-    frame::{ColorFormat, Damage, RasterMethod, TileKernel},
+    frame::{ColorFormat, Damage, RasterMethod},
     layout::BinLists,
 };
 pub use options::resolved;
-pub(crate) use options::tile_kernel;
 pub use runs::TileLists;
 pub use stage::Raster;

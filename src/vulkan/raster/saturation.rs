@@ -175,7 +175,6 @@ impl Saturation {
 const LAUNCH: Launch = Launch {
     subgroup: None,
     anywhere: true,
-    packed_words: false,
 };
 
 /// Specialization constants of the kernel.

@@ -3,7 +3,7 @@
 use super::{
     bins::Bins,
     draw::{Draw, RasterInputs},
-    options::{method, tile_kernel},
+    options::method,
     quads::Quads,
     resolve::Resolve,
     runs::{Runs, TileLists},
@@ -54,24 +54,23 @@ impl Raster {
         inputs: &RasterInputs,
         options: &RendererOptions,
     ) -> Result<Self> {
-        let method = match method(options, gpu) {
-            RasterMethod::Quads => Method::Quads(Box::new(Quads::new(gpu, inputs, options)?)),
-            RasterMethod::Tiles => {
-                let kernel = tile_kernel(options, gpu);
-                if let Some(missing) = gpu.probe.lacks_for(kernel) {
-                    return Err(Error::Unsupported {
-                        device: gpu.probe.name.clone(),
-                        missing: missing.into(),
-                    });
-                }
-                if leaves_loops(&gpu.probe.driver) {
-                    tracing::warn!(
-                        "{} leaves long loops early: tiles may lose parts of large scenes; quads don't",
-                        gpu.probe.driver
-                    );
-                }
-                Method::Tiles(Box::new(Tiles::new(gpu, inputs, options)?))
+        let chosen = method(options, gpu);
+        let method = if chosen.is_tiles() {
+            if let Some(missing) = gpu.probe.lacks_for(chosen) {
+                return Err(Error::Unsupported {
+                    device: gpu.probe.name.clone(),
+                    missing: missing.into(),
+                });
             }
+            if leaves_loops(&gpu.probe.driver) {
+                tracing::warn!(
+                    "{} leaves long loops early: tiles may lose parts of large scenes; quads don't",
+                    gpu.probe.driver
+                );
+            }
+            Method::Tiles(Box::new(Tiles::new(gpu, inputs, options, chosen)?))
+        } else {
+            Method::Quads(Box::new(Quads::new(gpu, inputs, options)?))
         };
         Ok(Self {
             resolve: None,
@@ -84,7 +83,7 @@ impl Raster {
     pub fn method(&self) -> RasterMethod {
         match &self.method {
             Method::Quads(_) => RasterMethod::Quads,
-            Method::Tiles(_) => RasterMethod::Tiles,
+            Method::Tiles(tiles) => tiles.method(),
         }
     }
 

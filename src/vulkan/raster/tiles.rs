@@ -4,7 +4,6 @@
 use super::{
     bins::Bins,
     draw::{Draw, RasterInputs},
-    options::tile_kernel,
     runs::Runs,
     target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, vulkan_format},
 };
@@ -15,9 +14,7 @@ use crate::vulkan::{
 };
 use ash::vk::{self, AccessFlags, ImageLayout};
 use effigy_core::{
-    frame::{
-        ColorFormat, RasterMethod, RendererOptions, Skip, TileKernel, kernels, passes::Target,
-    },
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, kernels, passes::Target},
     layout::{RASTER_REGION, SHARED_REGION},
 };
 use std::sync::Arc;
@@ -43,15 +40,11 @@ impl TileTarget {
         options: &RendererOptions,
         size: [u32; 2],
     ) -> Result<Self> {
-        let kernel = tile_kernel(options, gpu);
-        let color = format(options);
-        let module = match (kernel, color) {
-            (TileKernel::PerThread, ColorFormat::Rgba8) => &shaders::RASTER_PER_THREAD_RGBA8,
-            (TileKernel::PerThread, ColorFormat::Rgba16F) => &shaders::RASTER_PER_THREAD_RGBA16F,
-            (TileKernel::Cooperative, ColorFormat::Rgba8) => &shaders::RASTER_COOPERATIVE_RGBA8,
-            (TileKernel::Cooperative, ColorFormat::Rgba16F) => &shaders::RASTER_COOPERATIVE_RGBA16F,
-            (TileKernel::Shared, ColorFormat::Rgba8) => &shaders::RASTER_SHARED_RGBA8,
-            (TileKernel::Shared, ColorFormat::Rgba16F) => &shaders::RASTER_SHARED_RGBA16F,
+        let module = match (lists, format(options)) {
+            (Lists::Runs(_), ColorFormat::Rgba8) => &shaders::RASTER_COOPERATIVE_RGBA8,
+            (Lists::Runs(_), ColorFormat::Rgba16F) => &shaders::RASTER_COOPERATIVE_RGBA16F,
+            (Lists::Bins(_), ColorFormat::Rgba8) => &shaders::RASTER_SHARED_RGBA8,
+            (Lists::Bins(_), ColorFormat::Rgba16F) => &shaders::RASTER_SHARED_RGBA16F,
         };
         let (spec, memory) = match lists {
             Lists::Runs(runs) => (&kernels::RASTER_TILES, runs.add_to(&inputs.memory)),
@@ -59,7 +52,7 @@ impl TileTarget {
         };
         let constants = constants(lists, options);
         let image = create_image(gpu, options, size)?;
-        let launch = launch(gpu, kernel);
+        let launch = launch(gpu, lists);
         let kernel = Kernel::of_frame(gpu, spec, module, &constants, &memory, launch)?;
         // SAFETY: nothing uses the kernel yet; `record` has the image in the layout that it writes,
         // and the image lives as long as the kernel, or until it gets another.
@@ -85,13 +78,12 @@ impl Tiles {
         gpu: &Arc<Gpu>,
         inputs: &RasterInputs,
         options: &RendererOptions,
+        method: RasterMethod,
     ) -> Result<Self> {
-        let kernel = tile_kernel(options, gpu);
-        let lists = match kernel {
-            TileKernel::PerThread | TileKernel::Cooperative => {
-                Lists::Runs(Box::new(Runs::new(gpu, inputs)?))
-            }
-            TileKernel::Shared => Lists::Bins(Box::new(Bins::new(gpu, inputs)?)),
+        let lists = if method == RasterMethod::CooperativeTiles {
+            Lists::Runs(Box::new(Runs::new(gpu, inputs)?))
+        } else {
+            Lists::Bins(Box::new(Bins::new(gpu, inputs)?))
         };
         Ok(Self {
             gpu: gpu.clone(),
@@ -102,6 +94,14 @@ impl Tiles {
             options: *options,
             drawn: options.size,
         })
+    }
+
+    /// The method that it draws by.
+    pub fn method(&self) -> RasterMethod {
+        match self.lists {
+            Lists::Runs(_) => RasterMethod::CooperativeTiles,
+            Lists::Bins(_) => RasterMethod::SharedTiles,
+        }
     }
 
     pub fn image(&self) -> &Image {
@@ -155,7 +155,7 @@ impl Tiles {
     /// # Safety
     /// No submitted work may draw with it.
     pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        let launch = launch(&self.gpu, tile_kernel(options, &self.gpu));
+        let launch = launch(&self.gpu, &self.lists);
         let constants = constants(&self.lists, options);
         // All before any: a failure leaves both as they are.
         let targets = std::iter::once(&self.target).chain(&self.atlas);
@@ -251,9 +251,9 @@ impl Tiles {
         };
         // SAFETY: the image is alive, and as the frame before left it, or as nobody did.
         unsafe { commands.change_layout(image, begin) };
-        let region = match tile_kernel(&self.options, &self.gpu) {
-            TileKernel::PerThread | TileKernel::Cooperative => RASTER_REGION,
-            TileKernel::Shared => SHARED_REGION,
+        let region = match self.lists {
+            Lists::Runs(_) => RASTER_REGION,
+            Lists::Bins(_) => SHARED_REGION,
         };
         let [first, beyond] = draw.damage.regions(region);
         target
@@ -283,8 +283,8 @@ fn constants(lists: &Lists, options: &RendererOptions) -> Vec<u32> {
 }
 
 /// Full subgroups of the size that the device reports, where it can be asked for that.
-fn launch(gpu: &Gpu, kernel: TileKernel) -> Launch {
-    let cooperative = kernel == TileKernel::Cooperative;
+fn launch(gpu: &Gpu, lists: &Lists) -> Launch {
+    let cooperative = matches!(lists, Lists::Runs(_));
     let size = gpu.probe.subgroup_size;
     Launch {
         subgroup: gpu
@@ -293,12 +293,11 @@ fn launch(gpu: &Gpu, kernel: TileKernel) -> Launch {
             .filter(|[min, max]| cooperative && (*min..=*max).contains(&size))
             .map(|_| size),
         anywhere: true,
-        ..Launch::default()
     }
 }
 
 fn format(options: &RendererOptions) -> ColorFormat {
-    options.color.unwrap_or(RasterMethod::Tiles.color())
+    options.color.unwrap_or(ColorFormat::Rgba8)
 }
 
 fn create_image(gpu: &Arc<Gpu>, options: &RendererOptions, size: [u32; 2]) -> Result<Image> {

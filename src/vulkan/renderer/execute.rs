@@ -14,7 +14,7 @@ use crate::vulkan::{
 };
 use ash::vk::{AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
-    FramePlan, RasterMethod, Schedule,
+    FramePlan, Schedule,
     passes::{Pass, Stage, Target},
     resource::PipelineStages,
     schedule::{Command, Step},
@@ -132,18 +132,16 @@ impl Executor<'_> {
                             self.record(commands, command);
                         }
                     };
-                    match stage.raster_method() {
-                        _ if stage.stage == Stage::Saturation && count => {
-                            in_flight.counts_samples();
-                            in_flight.stage(name, record);
-                        }
-                        Some(RasterMethod::Quads) => in_flight.drawing(name, count, record),
-                        Some(RasterMethod::Tiles) if count => {
-                            in_flight.counts_itself();
-                            in_flight.stage(name, record);
-                        }
-                        _ => in_flight.stage(name, record),
+                    if stage.draws_quads() {
+                        in_flight.drawing(name, count, record);
+                        continue;
                     }
+                    match stage.stage {
+                        Stage::Saturation if count => in_flight.counts_samples(),
+                        Stage::Raster if count => in_flight.counts_itself(),
+                        _ => {}
+                    }
+                    in_flight.stage(name, record);
                 }
             }
         }

@@ -22,12 +22,12 @@ use super::{
     },
     memory::Buffer,
     passes::{mlp::Mlp, model::Model, project::Project, sh::SphericalHarmonics},
-    pipeline::{FrameMemory, Launch},
+    pipeline::FrameMemory,
     raster::{
         Raster,
         download::{self, Copied},
         draw::{Draw, RasterInputs},
-        resolved, tile_kernel,
+        resolved,
     },
     sort::{Sort, SortOptions, choice},
     tuning::{Record, Tuning, Workload, device_lives, may_pass},
@@ -220,25 +220,21 @@ impl Renderer {
             sort: variant,
         };
         let raster = Raster::new(gpu, &inputs, &options)?;
-        let launch = Launch {
-            packed_words: options.packed_words == Some(true),
-            ..Launch::default()
-        };
         let mut sh = vec![];
         if avatar.sh.is_some() {
             let levels = avatar.levels.iter().map(|level| avatar.at_level(level));
             for (level, set) in levels.zip(&model.sets[1..]) {
-                sh.extend(SphericalHarmonics::new(gpu, &level, set, &memory, launch)?);
+                sh.extend(SphericalHarmonics::new(gpu, &level, set, &memory)?);
             }
         }
-        if let Some(own) = SphericalHarmonics::new(gpu, avatar, model.own(), &memory, launch)? {
+        if let Some(own) = SphericalHarmonics::new(gpu, avatar, model.own(), &memory)? {
             sh.insert(0, own);
         }
         let renderer = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
-            mlp: Mlp::new(gpu, &model, &memory, launch)?,
+            mlp: Mlp::new(gpu, &model, &memory)?,
             sh,
             project,
             sort,
@@ -311,7 +307,6 @@ impl Renderer {
             sh: !self.sh.is_empty(),
             supersampling: self.options.supersampling.is_on(),
             method: self.raster.method(),
-            kernel: tile_kernel(&self.options, &self.gpu),
             skip: self.options.skip,
         }
     }

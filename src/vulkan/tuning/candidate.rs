@@ -10,8 +10,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel},
-    layout::{PROJECT_WORKGROUP, PROJECT_WORKGROUPS},
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, SortVariant},
 };
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -21,18 +20,12 @@ use std::fmt;
 pub struct Candidate {
     /// How splats are rasterized.
     pub method: RasterMethod,
-    /// The kernel of [`RasterMethod::Tiles`]; the device's own with quads.
-    pub kernel: TileKernel,
     /// Whether quads are tested against the saturation depth.
     pub depth: bool,
     /// Format of the image.
     pub color: ColorFormat,
     /// How to sort.
     pub sort: SortVariant,
-    /// Whether f16 is read as words.
-    pub packed_words: bool,
-    /// Invocations of a workgroup of the `project` stage.
-    pub workgroup: u32,
 }
 
 impl Candidate {
@@ -43,15 +36,12 @@ impl Candidate {
         let method = resolved.method.unwrap_or(RasterMethod::Quads);
         Ok(Self {
             method,
-            kernel: resolved.kernel.unwrap_or(TileKernel::PerThread),
             depth: method == RasterMethod::Quads && resolved.skip.contains(Skip::DEPTH),
             color: resolved.color.unwrap_or(method.color()),
             sort: match options.sort {
                 Some(sort) => sort,
                 None => choice::without_test(gpu)?,
             },
-            packed_words: resolved.packed_words == Some(true),
-            workgroup: resolved.workgroup.unwrap_or(PROJECT_WORKGROUP),
         })
     }
 
@@ -63,11 +53,8 @@ impl Candidate {
         }
         RendererOptions {
             method: Some(self.method),
-            kernel: Some(self.kernel),
             color: Some(self.color),
             sort: Some(self.sort),
-            packed_words: Some(self.packed_words),
-            workgroup: Some(self.workgroup),
             skip,
             ..options
         }
@@ -75,10 +62,10 @@ impl Candidate {
 
     /// The rasterizer's name, as `--raster` spells it where it has a spelling.
     pub fn raster(&self) -> String {
-        match (self.method, self.depth) {
-            (RasterMethod::Tiles, _) => format!("tiles-{}", self.kernel.name()),
-            (RasterMethod::Quads, true) => "quads with saturation depth".into(),
-            (RasterMethod::Quads, false) => "quads".into(),
+        if self.depth {
+            "quads with saturation depth".into()
+        } else {
+            self.method.name().into()
         }
     }
 }
@@ -89,41 +76,24 @@ impl fmt::Display for Candidate {
             ColorFormat::Rgba8 => "RGBA8",
             ColorFormat::Rgba16F => "RGBA16F",
         };
-        let storage = if self.packed_words { "words" } else { "f16" };
-        let raster = self.raster();
-        write!(
-            f,
-            "{raster}, {color}, {} sort, {storage}, workgroups of {}",
-            self.sort.name(),
-            self.workgroup
-        )
+        write!(f, "{}, {color}, {} sort", self.raster(), self.sort.name())
     }
 }
 
 /// What candidates of one group differ in. Axes are measured one after the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Axis {
-    /// Method, kernel and saturation depth.
+    /// Method and saturation depth.
     Raster,
     /// Colour format.
     Color,
     /// Sort variant.
     Sort,
-    /// How f16 is read.
-    Storage,
-    /// Size of workgroups.
-    Workgroup,
 }
 
 impl Axis {
     /// Every axis, in the order in which they are measured: what decides most comes first.
-    pub const ALL: [Self; 5] = [
-        Self::Raster,
-        Self::Color,
-        Self::Sort,
-        Self::Storage,
-        Self::Workgroup,
-    ];
+    pub const ALL: [Self; 3] = [Self::Raster, Self::Color, Self::Sort];
 
     /// Whether two candidates are the same in what the axis varies.
     pub fn is_same(self, a: &Candidate, b: &Candidate) -> bool {
@@ -131,8 +101,6 @@ impl Axis {
             Self::Raster => a.raster() == b.raster(),
             Self::Color => a.color == b.color && a.method == b.method,
             Self::Sort => a.sort == b.sort,
-            Self::Storage => a.packed_words == b.packed_words,
-            Self::Workgroup => a.workgroup == b.workgroup,
         }
     }
 }
@@ -140,16 +108,12 @@ impl Axis {
 /// What there is to choose from: what a device can do, and what the options leave open.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choices {
-    /// Ways to rasterize: method, kernel, saturation depth. The other fields are ignored.
+    /// Ways to rasterize: method, saturation depth. The other fields are ignored.
     pub rasters: Vec<Candidate>,
     /// The colour format, where it is not left open.
     pub fixed_color: Option<ColorFormat>,
     /// Sort variants that passed the self-test; empty where the sort is not left open.
     pub sorts: Vec<SortVariant>,
-    /// Whether both forms of f16 can be read, and which is left open.
-    pub both_storages: bool,
-    /// Sizes of workgroups; empty where it is not left open.
-    pub workgroups: Vec<u32>,
 }
 
 impl Choices {
@@ -171,12 +135,6 @@ impl Choices {
             rasters: rasters(gpu, options, safest),
             fixed_color: options.color,
             sorts,
-            both_storages: gpu.half_storage && options.packed_words.is_none(),
-            workgroups: if options.workgroup.is_none() {
-                PROJECT_WORKGROUPS.into()
-            } else {
-                Vec::new()
-            },
         })
     }
 
@@ -189,8 +147,6 @@ impl Choices {
                 .map(|raster| Candidate {
                     color: self.fixed_color.unwrap_or(raster.method.color()),
                     sort: best.sort,
-                    packed_words: best.packed_words,
-                    workgroup: best.workgroup,
                     ..*raster
                 })
                 .collect(),
@@ -202,18 +158,6 @@ impl Choices {
                 .sorts
                 .iter()
                 .map(|&sort| Candidate { sort, ..*best })
-                .collect(),
-            Axis::Storage if !self.both_storages => Vec::new(),
-            Axis::Storage => [false, true]
-                .map(|packed_words| Candidate {
-                    packed_words,
-                    ..*best
-                })
-                .into(),
-            Axis::Workgroup => self
-                .workgroups
-                .iter()
-                .map(|&workgroup| Candidate { workgroup, ..*best })
                 .collect(),
         };
         all.into_iter()
@@ -239,18 +183,16 @@ fn rasters(gpu: &Gpu, options: &RendererOptions, safest: &Candidate) -> Vec<Cand
             });
         }
     }
-    let open = options.method != Some(RasterMethod::Quads) && options.kernel.is_none();
-    if open && !leaves_loops(&gpu.probe.driver) {
-        for kernel in TileKernel::ALL {
-            if gpu.probe.lacks_for(kernel).is_none() {
-                rasters.push(Candidate {
-                    method: RasterMethod::Tiles,
-                    kernel,
-                    depth: false,
-                    ..*safest
-                });
-            }
-        }
+    if options.method.is_none() && !leaves_loops(&gpu.probe.driver) {
+        let tiles = RasterMethod::ALL
+            .into_iter()
+            .filter(|method| method.is_tiles());
+        let able = tiles.filter(|method| gpu.probe.lacks_for(*method).is_none());
+        rasters.extend(able.map(|method| Candidate {
+            method,
+            depth: false,
+            ..*safest
+        }));
     }
     rasters
 }
@@ -276,13 +218,8 @@ impl Workload {
     pub fn new(avatar: &Avatar, options: &RendererOptions) -> Self {
         let fixed = [
             options.method.map(|method| method.name().to_owned()),
-            options.kernel.map(|kernel| kernel.name().to_owned()),
             options.color.map(|color| format!("{color:?}")),
             options.sort.map(|sort| sort.name().to_owned()),
-            options.packed_words.map(|words| format!("words {words}")),
-            options
-                .workgroup
-                .map(|size| format!("workgroups of {size}")),
         ];
         let fixed: Vec<String> = fixed.into_iter().flatten().collect();
         let pixels = options.size.map(u64::from).iter().product();
@@ -297,11 +234,7 @@ impl Workload {
 
     /// Whether options leave anything to measure.
     pub fn is_open(options: &RendererOptions) -> bool {
-        options.method.is_none()
-            || options.color.is_none()
-            || options.sort.is_none()
-            || options.packed_words.is_none()
-            || options.workgroup.is_none()
+        options.method.is_none() || options.color.is_none() || options.sort.is_none()
     }
 }
 

@@ -1,6 +1,5 @@
-//! How to draw, chosen by measuring: which raster method and kernel, with the saturation depth or
-//! without, which colour format, sort, form of f16 and size of workgroups is fastest on a device for
-//! a workload.
+//! How to draw, chosen by measuring: which raster method, with the saturation depth or without,
+//! which colour format and sort is fastest on a device for a workload.
 //!
 //! A [`Candidate`] is a way to draw. The tournament times it against the best so far, frame by
 //! frame in turn, along one [`Axis`] after the other, and takes it if it wins by more than the

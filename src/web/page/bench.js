@@ -112,7 +112,6 @@ export async function bench(effigy, query) {
       name: statistics.device,
       driver: navigator.userAgent,
       vulkan: "",
-      half_storage: false,
       subgroup_size: 0,
       timestamps: gpuMs.length > 0,
       backend: "webgpu",

@@ -10,8 +10,6 @@ pub struct RasterInputs<'a> {
     pub order: Slice<'a>,
     /// Splats, one a Gaussian, then the keys.
     pub splats: Slice<'a>,
-    /// A depth key for each splat.
-    pub keys: Slice<'a>,
     /// Holds the number of visible splats, and the arguments of the draw.
     pub control: &'a wgpu::Buffer,
     /// The most splats that the buffers hold.

@@ -5,7 +5,6 @@ mod bins;
 mod inputs;
 mod quads;
 mod resolve;
-mod runs;
 mod saturation;
 mod tiles;
 
@@ -22,10 +21,9 @@ use super::{
 use bins::Bins;
 use effigy_core::{
     frame::{
-        ColorFormat, Damage, RasterMethod, RendererOptions, Skip, TileKernel, atlas::Slot,
-        passes::Target,
+        ColorFormat, Damage, RasterMethod, RendererOptions, Skip, atlas::Slot, passes::Target,
     },
-    layout::{SATURATION_REGION, SettingsBlock, TILING_WEB},
+    layout::{SATURATION_REGION, SHARED_REGION, SettingsBlock},
 };
 use quads::{QuadFrame, Quads};
 use resolve::{Resolve, SlotsFrame};
@@ -80,15 +78,10 @@ impl Raster {
         let image = create_image(gpu, format, options.size)?;
         let view = image.create_view(&Default::default());
         let texels = wgpu_format(format);
-        let way = match method {
-            RasterMethod::Quads => {
-                Way::Quads(Box::new(Quads::new(gpu, blocks, inputs, texels, options)?))
-            }
-            RasterMethod::Tiles => {
-                let kernel = options.kernel.unwrap_or(TileKernel::PerThread);
-                let tiles = Tiles::new(gpu, blocks, inputs, kernel, texels, &view)?;
-                Way::Tiles(Box::new(tiles))
-            }
+        let way = if method.is_tiles() {
+            Way::Tiles(Box::new(Tiles::new(gpu, blocks, inputs, texels, &view)?))
+        } else {
+            Way::Quads(Box::new(Quads::new(gpu, blocks, inputs, texels, options)?))
         };
         Ok(Self {
             way,
@@ -109,7 +102,6 @@ impl Raster {
         } else {
             0.0
         };
-        settings.blocks = TILING_WEB.most_blocks(capacity);
         settings.counted = options.count.into();
         match &self.way {
             Way::Quads(_) => Saturation::fill(settings, options, capacity),
@@ -159,22 +151,14 @@ impl Raster {
     pub fn method(&self) -> RasterMethod {
         match self.way {
             Way::Quads(_) => RasterMethod::Quads,
-            Way::Tiles(_) => RasterMethod::Tiles,
-        }
-    }
-
-    /// The kernel of [`RasterMethod::Tiles`].
-    pub fn kernel(&self) -> TileKernel {
-        match &self.way {
-            Way::Quads(_) => TileKernel::PerThread,
-            Way::Tiles(tiles) => tiles.kernel(),
+            Way::Tiles(_) => RasterMethod::SharedTiles,
         }
     }
 
     fn bins(&self) -> Option<&Bins> {
         match &self.way {
             Way::Quads(quads) => quads.saturation().map(Saturation::bins),
-            Way::Tiles(tiles) => tiles.bins(),
+            Way::Tiles(tiles) => Some(tiles.bins()),
         }
     }
 
@@ -191,7 +175,7 @@ impl Raster {
     pub fn first_region(&self, damage: &Damage) -> [u32; 2] {
         match &self.way {
             Way::Quads(_) => damage.drawn_regions(SATURATION_REGION)[0],
-            Way::Tiles(tiles) => damage.regions(tiles.region())[0],
+            Way::Tiles(_) => damage.regions(SHARED_REGION)[0],
         }
     }
 
@@ -261,24 +245,6 @@ impl Raster {
         match (target, &self.atlas) {
             (Target::Atlas, Some(atlas)) => &atlas.view,
             _ => &self.view,
-        }
-    }
-
-    /// Empties the tiles' lists, if there are any.
-    pub fn clear_tile_lists(&self, encoder: &mut wgpu::CommandEncoder) {
-        if let Way::Tiles(tiles) = &self.way
-            && let Some(runs) = tiles.runs()
-        {
-            runs.clear(encoder);
-        }
-    }
-
-    /// Writes splats to the lists of the tiles that they meet, if there are any.
-    pub fn record_binning(&self, pass: &mut wgpu::ComputePass, block: u32) {
-        if let Way::Tiles(tiles) = &self.way
-            && let Some(runs) = tiles.runs()
-        {
-            runs.record(pass, block);
         }
     }
 

@@ -4,7 +4,7 @@ use crate::common::{
     self, Sizes,
     gpu::{
         self,
-        Raster::{self, Quads, SharedTiles, Tiles},
+        Raster::{self, CooperativeTiles, Quads, SharedTiles},
     },
 };
 use effigy::vulkan::{Gpu, Renderer};
@@ -140,7 +140,7 @@ fn too_little_room_is_refused() {
 
 tests! {
     a_crowd_leaves_nothing_behind[Quads],
-    a_crowd_leaves_nothing_behind[Tiles],
+    a_crowd_leaves_nothing_behind[CooperativeTiles],
     a_crowd_leaves_nothing_behind[SharedTiles],
     too_little_room_is_refused,
 }

@@ -6,7 +6,7 @@ use effigy::vulkan::Renderer;
 use effigy_core::{
     avatar::{Avatar, ShCoefficients, motion::Player},
     frame::{
-        RasterMethod::{self, Quads, Tiles},
+        RasterMethod::{self, CooperativeTiles, Quads},
         RendererOptions,
     },
     reference::{self, raster, sort},
@@ -218,7 +218,7 @@ fn avatars_of_different_levels_are_sorted_together() {
 
 tests! {
     each_level_agrees_with_the_reference[Quads],
-    each_level_agrees_with_the_reference[Tiles],
+    each_level_agrees_with_the_reference[CooperativeTiles],
     small_avatars_stay_within_the_budget: no_device,
     levels_change_as_the_camera_goes_away,
     avatars_of_different_levels_are_sorted_together,

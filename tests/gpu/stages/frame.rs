@@ -4,13 +4,12 @@ use crate::common::{
     self, Sizes,
     gpu::{
         self,
-        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+        Raster::{self, CooperativeTiles, Quads, SharedTiles, TestedQuads},
     },
     wide,
 };
 use effigy::vulkan::{
-    Error, Gpu, GpuOptions, PreparedAvatar, Renderer, RendererOptions,
-    raster::{ColorFormat, RasterMethod, TileKernel},
+    Error, Gpu, GpuOptions, PreparedAvatar, Renderer, RendererOptions, raster::ColorFormat,
     sort::KeyBits,
 };
 use effigy_core::{
@@ -72,12 +71,8 @@ fn a_baseline_device_draws_within_the_error_budget() {
         ..GpuOptions::headless(None)
     });
     assert_eq!(
-        (
-            device.half_storage,
-            device.probe.timestamp_bits,
-            device.probe.subgroup_sizes
-        ),
-        (false, 0, None)
+        (device.probe.timestamp_bits, device.probe.subgroup_sizes),
+        (0, None)
     );
     compare_on(&device, ColorFormat::Rgba8, KeyBits::TwentyTwo, 48.0, 0.995);
     compare_on(&device, ColorFormat::Rgba16F, KeyBits::Sixteen, 54.0, 0.999);
@@ -96,11 +91,8 @@ fn filters_draw_the_references_image() {
     for rasterizer in Rasterizer::ALL {
         let mut options = gpu::options([64, 80]);
         rasterizer.choose(&mut options);
-        let kernel = options.kernel.unwrap_or(TileKernel::PerThread);
-        if device.probe.lacks_for(kernel).is_some() {
-            continue;
-        }
-        if options.method == Some(RasterMethod::Quads) && !device.probe.draws_triangles() {
+        let lacks = |method| device.probe.lacks_for(method).is_some();
+        if options.method.is_some_and(lacks) {
             continue;
         }
         let own = |filter| {
@@ -214,6 +206,6 @@ tests! {
     a_baseline_device_draws_within_the_error_budget,
     wide_splats_show_from_far_outside_the_image[Quads],
     wide_splats_show_from_far_outside_the_image[TestedQuads],
-    wide_splats_show_from_far_outside_the_image[Tiles],
+    wide_splats_show_from_far_outside_the_image[CooperativeTiles],
     wide_splats_show_from_far_outside_the_image[SharedTiles],
 }

@@ -9,7 +9,7 @@ use effigy_core::{
     scene::Posed,
 };
 
-fn compare(packed_words: Option<bool>) {
+fn compare() {
     let device = gpu::gpu();
     let sizes = [
         Sizes::default(),
@@ -49,7 +49,6 @@ fn compare(packed_words: Option<bool>) {
         assert_eq!(avatar.networks.in_bytes(), bytes);
         let options = RendererOptions {
             skip: Skip::all() - Skip::PARTS,
-            packed_words,
             ..gpu::options([64, 64])
         };
         let frame = gpu::frame_of(&device, avatar, seed, options);
@@ -69,11 +68,7 @@ fn compare(packed_words: Option<bool>) {
 }
 
 fn every_parts_network_gives_what_the_reference_gives() {
-    compare(None);
-}
-
-fn packed_words_give_the_same_as_halves() {
-    compare(Some(true));
+    compare();
 }
 
 /// Joints bent far beyond what any of the training poses has them.
@@ -122,6 +117,5 @@ fn networks_see_wild_poses_as_the_nearest_known_one() {
 
 tests! {
     every_parts_network_gives_what_the_reference_gives: smoke,
-    packed_words_give_the_same_as_halves,
     networks_see_wild_poses_as_the_nearest_known_one,
 }

@@ -4,7 +4,7 @@ use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::RendererOptions;
 use effigy_core::io::pack::PackQuality;
 
-fn compare(packed_words: Option<bool>) {
+fn compare() {
     let device = gpu::gpu();
     let sizes = [
         Sizes::default(),
@@ -38,7 +38,6 @@ fn compare(packed_words: Option<bool>) {
             avatar
         };
         let options = RendererOptions {
-            packed_words,
             ..gpu::options([64, 64])
         };
         let frame = gpu::frame_of(&device, avatar, seed, options);
@@ -67,14 +66,9 @@ fn compare(packed_words: Option<bool>) {
 }
 
 fn every_node_moves_as_in_the_reference() {
-    compare(None);
-}
-
-fn packed_words_give_the_same_as_halves() {
-    compare(Some(true));
+    compare();
 }
 
 tests! {
     every_node_moves_as_in_the_reference: smoke,
-    packed_words_give_the_same_as_halves,
 }

@@ -2,12 +2,12 @@
 //! of what is not.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::{Renderer, RendererOptions};
+use effigy::vulkan::RendererOptions;
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::{CullReasons, KeyBits, Skip},
+    frame::{CullReasons, Skip},
     io::pack::PackQuality,
-    layout::{CenterGrids, POSITION_BITS, PROJECT_WORKGROUPS, SORT_CULLED, compact::NodeBits},
+    layout::{CenterGrids, POSITION_BITS, SORT_CULLED, compact::NodeBits},
     reference::{Culled, Gaussian, Splat},
     scene::{Camera, Posed, detail},
 };
@@ -288,7 +288,7 @@ fn options(seed: u64, size: [u32; 2]) -> RendererOptions {
     }
 }
 
-fn compare(packed_words: Option<bool>) {
+fn compare() {
     let device = gpu::gpu();
     let sizes = [
         Sizes::default(),
@@ -318,7 +318,6 @@ fn compare(packed_words: Option<bool>) {
         // Every Gaussian, and every second, fourth or eighth.
         for level in [0, [1, 2, 3, 1][seed as usize]] {
             let options = RendererOptions {
-                packed_words,
                 ..options(seed, [500, 300])
             };
             let options = gpu::at_level(options, level);
@@ -394,11 +393,7 @@ fn packed_avatars_land_where_the_reference_puts_them() {
 }
 
 fn every_gaussian_lands_where_the_reference_puts_it() {
-    compare(None);
-}
-
-fn packed_words_give_the_same_as_halves() {
-    compare(Some(true));
+    compare();
 }
 
 /// An avatar with adversarial Gaussians: faint, opaque, needles and sheets, zero-ish and huge.
@@ -610,56 +605,10 @@ fn each_reason_to_cull_occurs_in_the_adversarial_frames() {
     }
 }
 
-/// Two avatars of an odd number of Gaussians, so that workgroups end within an avatar and two keys
-/// share a word; then a frame of the same poses from another side.
-fn workgroups_of_every_size_give_the_same() {
-    let device = gpu::gpu();
-    let sizes = Sizes {
-        gaussians: 333,
-        ..Sizes::default()
-    };
-    let avatar = common::avatar(5, sizes);
-    let poses = [1, 2].map(|seed| Posed::new(&avatar, &common::pose(seed, &avatar)));
-    let poses: Vec<&Posed> = poses.iter().collect();
-    let camera = gpu::camera(&avatar, poses[0], [200, 150]);
-    let turned = Camera {
-        view: DAffine3::from_translation(DVec3::new(0.05, 0.0, 0.0)) * camera.view,
-        ..camera
-    };
-    for key_bits in [KeyBits::Sixteen, KeyBits::TwentyTwo] {
-        let outputs = PROJECT_WORKGROUPS.map(|workgroup| {
-            let options = RendererOptions {
-                workgroup: Some(workgroup),
-                key_bits: Some(key_bits),
-                instances: 2,
-                ..gpu::options(camera.size)
-            };
-            let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
-            [camera, turned].map(|camera| {
-                renderer.draw_scene(&poses, &camera, None).unwrap();
-                let stages = renderer.stages().unwrap();
-                let visible: Vec<[u32; 4]> = stages
-                    .order
-                    .iter()
-                    .map(|&index| stages.splats[index as usize])
-                    .collect();
-                assert!(visible.len() > 300, "{} are visible", visible.len());
-                (stages.keys, stages.order, visible)
-            })
-        });
-        assert!(
-            outputs[0] == outputs[1] && outputs[1] == outputs[2],
-            "{key_bits:?}"
-        );
-    }
-}
-
 tests! {
     packed_avatars_land_where_the_reference_puts_them,
     every_gaussian_lands_where_the_reference_puts_it: smoke,
-    packed_words_give_the_same_as_halves,
     gaussians_follow_nodes_however_many_there_are,
-    workgroups_of_every_size_give_the_same,
     adversarial_gaussians_and_cameras_agree_too,
     splats_from_the_pose_cache_agree_with_the_reference,
     gaussians_of_no_size_are_as_large_as_the_low_pass,

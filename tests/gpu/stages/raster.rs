@@ -5,14 +5,10 @@ use crate::common::{
     self, Sizes,
     gpu::{
         self,
-        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+        Raster::{self, CooperativeTiles, Quads, SharedTiles, TestedQuads},
     },
 };
-use effigy::vulkan::{
-    Renderer, RendererOptions,
-    raster::{RasterMethod, TileKernel},
-    sort::KeyBits,
-};
+use effigy::vulkan::{Renderer, RendererOptions, raster::RasterMethod, sort::KeyBits};
 use effigy_core::{
     avatar::Avatar,
     frame::Skip,
@@ -234,10 +230,8 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         let size = [600, 400];
         let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
         let options = RendererOptions {
-            method: Some(RasterMethod::Tiles),
-            kernel: Some(TileKernel::PerThread),
             key_bits: Some(KeyBits::ThirtyTwo),
-            ..gpu::options(size)
+            ..CooperativeTiles.options(&device.probe.name, size)
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
@@ -409,26 +403,26 @@ tests! {
     each_bin_has_the_splats_that_meet_it_nearest_first[SharedTiles],
     the_order_is_the_references_but_for_depths_closer_than_a_key,
     few_gaussians_agree_pixel_by_pixel[Quads]: smoke,
-    few_gaussians_agree_pixel_by_pixel[Tiles]: smoke,
+    few_gaussians_agree_pixel_by_pixel[CooperativeTiles]: smoke,
     few_gaussians_agree_pixel_by_pixel[TestedQuads]: smoke,
     few_gaussians_agree_pixel_by_pixel[SharedTiles]: smoke,
     nothing_of_many_gaussians_is_lost,
     quads_are_refused_where_the_driver_crashes_on_triangles,
     nothing_in_view_is_an_empty_image[Quads],
-    nothing_in_view_is_an_empty_image[Tiles],
+    nothing_in_view_is_an_empty_image[CooperativeTiles],
     nothing_in_view_is_an_empty_image[TestedQuads],
     nothing_in_view_is_an_empty_image[SharedTiles],
     images_of_any_size_follow_a_resize[Quads],
-    images_of_any_size_follow_a_resize[Tiles],
+    images_of_any_size_follow_a_resize[CooperativeTiles],
     images_of_any_size_follow_a_resize[TestedQuads],
     images_of_any_size_follow_a_resize[SharedTiles],
     each_tile_has_the_splats_that_meet_it_nearest_first,
     frames_in_flight_do_not_show_in_each_other[Quads],
-    frames_in_flight_do_not_show_in_each_other[Tiles],
+    frames_in_flight_do_not_show_in_each_other[CooperativeTiles],
     frames_in_flight_do_not_show_in_each_other[TestedQuads],
     frames_in_flight_do_not_show_in_each_other[SharedTiles],
     two_runs_give_the_same_bits[Quads],
-    two_runs_give_the_same_bits[Tiles],
+    two_runs_give_the_same_bits[CooperativeTiles],
     two_runs_give_the_same_bits[TestedQuads],
     two_runs_give_the_same_bits[SharedTiles],
 }

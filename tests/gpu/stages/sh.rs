@@ -75,10 +75,9 @@ fn check(what: &str, frame: &gpu::Frame) {
     }
 }
 
-fn compare(packed_words: Option<bool>) {
+fn compare() {
     let device = gpu::gpu();
     let options = RendererOptions {
-        packed_words,
         ..gpu::options([120, 90])
     };
     for degree in 1..=3 {
@@ -97,7 +96,7 @@ fn compare(packed_words: Option<bool>) {
 }
 
 fn every_colour_is_the_references() {
-    compare(None);
+    compare();
 }
 
 /// A scene whose nodes displace its Gaussians, from metres to half a kilometre: a body in one box.
@@ -142,10 +141,6 @@ fn what_nodes_displace_is_seen_where_it_is() {
             );
         }
     }
-}
-
-fn packed_words_give_the_same_as_halves() {
-    compare(Some(true));
 }
 
 fn avatars_that_move_inside_may_have_harmonics_too() {
@@ -253,7 +248,6 @@ fn the_stage_runs_when_the_view_changes_and_for_no_other_avatar() {
 tests! {
     every_colour_is_the_references: smoke,
     what_nodes_displace_is_seen_where_it_is,
-    packed_words_give_the_same_as_halves,
     avatars_that_move_inside_may_have_harmonics_too,
     static_avatars_look_as_the_reference_draws_them,
     colours_turn_with_the_avatar: no_device,

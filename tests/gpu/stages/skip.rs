@@ -4,7 +4,7 @@ use crate::common::{
     self, Sizes,
     gpu::{
         self,
-        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+        Raster::{self, CooperativeTiles, Quads, SharedTiles, TestedQuads},
     },
     harness::not_run,
 };
@@ -401,12 +401,12 @@ tests! {
     a_frame_that_needs_nothing_is_not_submitted,
     fragments_behind_the_saturation_depth_are_left_out_within_the_budget,
     fewer_fragments_are_shaded_where_depth_is_tested,
-    full_pixels_take_no_more_within_the_budget[Tiles],
+    full_pixels_take_no_more_within_the_budget[CooperativeTiles],
     full_pixels_take_no_more_within_the_budget[SharedTiles],
     a_still_body_comes_from_the_pose_cache_and_does_not_jump,
     parts_outside_the_view_wait_for_it,
     only_a_box_around_the_avatar_is_drawn[Quads],
-    only_a_box_around_the_avatar_is_drawn[Tiles],
+    only_a_box_around_the_avatar_is_drawn[CooperativeTiles],
     only_a_box_around_the_avatar_is_drawn[TestedQuads],
     only_a_box_around_the_avatar_is_drawn[SharedTiles],
 }

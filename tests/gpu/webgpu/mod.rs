@@ -8,7 +8,7 @@ use crate::{
         self, Sizes,
         gpu::{
             self,
-            Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+            Raster::{self, Quads, SharedTiles, TestedQuads},
         },
         wide,
     },
@@ -20,7 +20,7 @@ use crate::{
 use effigy::webgpu::{Error, Gpu, Renderer};
 use effigy_core::{
     avatar::{Avatar, Filter, ShCoefficients},
-    frame::{KeyBits, RasterMethod, RendererOptions, Skinning, Skip, SortVariant, TileKernel},
+    frame::{KeyBits, RasterMethod, RendererOptions, Skinning, Skip, SortVariant},
     io::{file::Neutral, pack::PackQuality},
     layout::SORT_CULLED,
     reference,
@@ -456,7 +456,7 @@ fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
         key_bits: Some(KeyBits::Sixteen),
         instances: 2,
         detail: Detail::AUTO,
-        method: Some(RasterMethod::Tiles),
+        method: Some(RasterMethod::SharedTiles),
         ..gpu::options([200, 200])
     };
     let mut ours = Renderer::new(&device, &avatar, options).unwrap();
@@ -690,7 +690,7 @@ fn options_of_the_vulkan_backend_are_refused() {
     for (options, named) in [
         (
             RendererOptions {
-                kernel: Some(TileKernel::Cooperative),
+                method: Some(RasterMethod::CooperativeTiles),
                 ..options
             },
             "cooperative",
@@ -708,20 +708,6 @@ fn options_of_the_vulkan_backend_are_refused() {
                 ..options
             },
             "OneSweep",
-        ),
-        (
-            RendererOptions {
-                workgroup: Some(128),
-                ..options
-            },
-            "128",
-        ),
-        (
-            RendererOptions {
-                packed_words: Some(false),
-                ..options
-            },
-            "words",
         ),
     ] {
         let error = Renderer::new(&device, &avatar, options).err().unwrap();
@@ -757,17 +743,14 @@ fn a_lost_device_says_so_and_another_goes_on() {
 
 tests! {
     images_agree_with_the_reference[Quads],
-    images_agree_with_the_reference[Tiles],
     images_agree_with_the_reference[TestedQuads],
     images_agree_with_the_reference[SharedTiles],
     filters_draw_the_references_image[Quads],
-    filters_draw_the_references_image[Tiles],
+    filters_draw_the_references_image[SharedTiles],
     wide_splats_show_from_far_outside_the_image[Quads],
-    wide_splats_show_from_far_outside_the_image[Tiles],
     wide_splats_show_from_far_outside_the_image[TestedQuads],
     wide_splats_show_from_far_outside_the_image[SharedTiles],
     images_agree_with_the_vulkan_backend[Quads],
-    images_agree_with_the_vulkan_backend[Tiles],
     images_agree_with_the_vulkan_backend[TestedQuads],
     images_agree_with_the_vulkan_backend[SharedTiles],
     fragments_behind_the_saturation_depth_are_left_out_within_the_budget,
@@ -776,19 +759,15 @@ tests! {
     stages_are_those_of_the_vulkan_backend,
     the_order_is_that_of_a_stable_sort,
     only_what_changed_is_drawn_again[Quads],
-    only_what_changed_is_drawn_again[Tiles],
     only_what_changed_is_drawn_again[SharedTiles],
     scenes_of_several_leave_out_who_is_not_seen,
     avatars_of_different_levels_are_those_of_the_vulkan_backend,
     images_of_any_size_follow_a_resize[Quads],
-    images_of_any_size_follow_a_resize[Tiles],
     images_of_any_size_follow_a_resize[TestedQuads],
     images_of_any_size_follow_a_resize[SharedTiles],
     colours_that_follow_the_camera_agree_with_the_reference,
     an_avatar_is_drawn_before_its_correctives_are_there[Quads],
-    an_avatar_is_drawn_before_its_correctives_are_there[Tiles],
     an_avatar_is_drawn_before_its_correctives_are_there[SharedTiles],
-    only_a_box_around_the_avatar_is_drawn[Tiles],
     only_a_box_around_the_avatar_is_drawn[SharedTiles],
     what_a_device_refuses_while_it_is_watched_is_the_watchs_error,
     options_of_the_vulkan_backend_are_refused,

@@ -3,7 +3,7 @@
 use effigy::vulkan::probe::Probe;
 use effigy_core::{
     constants::ALPHA_MIN,
-    frame::{ColorFormat, KeyBits, RasterMethod, RendererOptions, Skip, TileKernel},
+    frame::{ColorFormat, KeyBits, RasterMethod, RendererOptions, Skip},
 };
 
 /// Relative error of an f32 operation: Vulkan lets a device round up or down.
@@ -19,8 +19,8 @@ const QUAD_COLOR_STEPS: f64 = 2048.0;
 /// Half a step of an 8-bit image. Vulkan lets the conversion be off by a little more than that; the
 /// share is Direct3D's, which drivers keep to.
 pub const BYTE: f64 = 0.6 / 255.0;
-/// Relative error of α by the kernels that step from pixel to pixel (`raster/per_thread.glsl`,
-/// `cooperative.glsl`): an exponential of down to 2⁻¹²⁰, whose argument and value are off by up to
+/// Relative error of α by the kernel that steps from pixel to pixel (`raster/cooperative.glsl`): an
+/// exponential of down to 2⁻¹²⁰, whose argument and value are off by up to
 /// (3 + 2 · 120) ulp each, enters a row's last pixel once; its factor and bend, of 2^±60 and as far
 /// off as that, three times.
 const STEPPED: f64 = 2.0 * (243.0 + 6.0 * 123.0) * F32;
@@ -33,8 +33,6 @@ const EVALUATED: f64 = (8.0 + 70.0) * F32;
 pub struct Rounding {
     /// How splats are rasterized.
     pub method: RasterMethod,
-    /// The kernel of tiles.
-    pub kernel: TileKernel,
     /// Format of the image.
     pub color: ColorFormat,
     /// Width of the keys.
@@ -70,10 +68,9 @@ impl Rounding {
 
     /// Of options on a device that computes in f32 and has a grid of 1/256 px.
     pub fn of_options(options: &RendererOptions) -> Self {
-        let method = options.method.unwrap_or(RasterMethod::Tiles);
+        let method = options.method.unwrap_or(RasterMethod::SharedTiles);
         Self {
             method,
-            kernel: options.kernel.unwrap_or(TileKernel::PerThread),
             color: options.color.unwrap_or_else(|| method.color()),
             keys: options.keys(),
             skip: options.skip,
@@ -111,8 +108,8 @@ impl Rounding {
 
     /// Relative error of α where it is computed.
     pub fn alpha(&self) -> f64 {
-        match (self.method, self.kernel) {
-            (RasterMethod::Tiles, TileKernel::PerThread | TileKernel::Cooperative) => STEPPED,
+        match self.method {
+            RasterMethod::CooperativeTiles => STEPPED,
             _ => EVALUATED,
         }
     }
