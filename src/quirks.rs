@@ -10,6 +10,12 @@ pub fn draws_triangles(device: &str) -> bool {
 pub const NO_TRIANGLES: &str =
     "its driver crashes when it draws triangles with vectors of 512 bits";
 
+/// Whether a driver takes ten seconds and more to compile kernels whose subgroups shuffle, in which
+/// another way to draw shows its first picture.
+pub fn compiles_shuffles_slowly(driver: &str) -> bool {
+    driver.starts_with("SwiftShader")
+}
+
 /// Whether a driver leaves an invocation's loops after 65,535 rounds of all of them together, as
 /// llvmpipe did. Seen with Mesa 22.3, not with 25.0; between them it was not tried.
 pub fn leaves_loops(driver: &str) -> bool {

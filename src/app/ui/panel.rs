@@ -650,7 +650,10 @@ mod tests {
             for _ in 0..3 {
                 let mut output = ctx.run_ui(input(), |ui| show(ui.ctx(), &facts, &mut Vec::new()));
                 says_so = std::mem::take(&mut output.shapes).iter().any(|drawn| {
-                    matches!(&drawn.shape, egui::Shape::Text(text) if text.galley.text() == OLD_LAVAPIPE)
+                    let egui::Shape::Text(text) = &drawn.shape else {
+                        return false;
+                    };
+                    text.galley.text() == OLD_LAVAPIPE
                 });
                 output.drop_without_applying_deltas();
             }

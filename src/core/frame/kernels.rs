@@ -99,7 +99,7 @@ kernels! {
     PROJECT = ["project/project.comp"]
         [read(1, Gaussians), read(1, Colors), read(2, Rows), read(3, Pose), write(4, Splats),
          update(4, Counts)];
-    /// The same, and it stores them skinned.
+    /// Projection of Gaussians that it skins, and stores skinned.
     PROJECT_STORE = ["project/project.comp"]
         [read(1, Gaussians), read(1, Colors), read(2, Rows), read(3, Pose), write(4, Splats),
          update(4, Counts), write(4, PoseCache)];
@@ -110,7 +110,7 @@ kernels! {
     /// sort of splats; that of pairs is part of making bins.
     SORT_COUNT = ["sort/count.comp"]
         [read(1, Splats), read(1, Order), write(2, Counts), read(3, Control)];
-    /// The same, for each invocation.
+    /// Counts the digits of each invocation's own run.
     SORT_PER_THREAD_COUNT = ["sort/per_thread_count.comp"]
         [read(1, Splats), read(1, Order), update(2, Counts), read(3, Control)];
     /// Sums the counts of groups of tiles.
@@ -122,7 +122,7 @@ kernels! {
     /// Moves what is sorted by a digit.
     SORT_SCATTER = ["sort/scatter.comp"]
         [read(1, Splats), read(1, Order), read(2, Counts), update(3, Control), write(4, Order)];
-    /// The same, and it counts what the next pass needs.
+    /// Moves what is sorted by a digit, and counts what the next pass needs.
     SORT_COUNTING_SCATTER = ["sort/per_thread_scatter.comp", "sort/onesweep.comp"]
         [read(1, Splats), read(1, Order), update(2, Counts), update(3, Control), write(4, Order)];
     /// Lists of tiles.
@@ -150,7 +150,7 @@ kernels! {
     /// The corners of quads.
     QUADS = ["raster/quads.vert"]
         [read(1, Order), read(2, Splats), read(3, Control)];
-    /// The same, of splats that the saturation stage marked.
+    /// The corners of quads of splats that the saturation stage marked.
     QUADS_TESTED = ["raster/quads.vert"]
         [read(1, Order), read(2, Splats), read(3, Control), read(4, Bins)];
     /// Tiles by lists of tiles.

@@ -25,10 +25,8 @@ pub fn read(
         SplatFormat::Glb | SplatFormat::Gltf => gltf::read(bytes, beside)?,
     };
     match format {
-        // It says itself whether it names its axis.
-        SplatFormat::Ply => {}
-        // Their axis is the format's.
-        SplatFormat::Spz | SplatFormat::Glb | SplatFormat::Gltf => {}
+        // A .ply says whether it names its axis; that of the others is the format's.
+        SplatFormat::Ply | SplatFormat::Spz | SplatFormat::Glb | SplatFormat::Gltf => {}
         SplatFormat::Splat
         | SplatFormat::Sog
         | SplatFormat::SogMeta

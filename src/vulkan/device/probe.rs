@@ -74,7 +74,7 @@ impl Probe {
             RasterMethod::Quads if !self.draws_triangles() => {
                 Some("for quads: a driver that survives drawing triangles")
             }
-            RasterMethod::CooperativeTiles if self.driver.starts_with("SwiftShader") => {
+            RasterMethod::CooperativeTiles if quirks::compiles_shuffles_slowly(&self.driver) => {
                 Some("for cooperative tiles: a driver that compiles them in less than 10 s")
             }
             RasterMethod::CooperativeTiles

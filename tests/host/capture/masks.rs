@@ -248,7 +248,6 @@ fn pictures_may_have_the_mask_themselves() {
     );
 }
 
-/// Masks that leave open who the person is are named, with what was found.
 /// A frame's wrong mask says nothing of its camera's others.
 fn one_inverted_mask_turns_no_others() {
     let folder = with(ImageFormat::Png, |at, own| {
@@ -299,6 +298,7 @@ fn every_camera_is_looked_at() {
     }
 }
 
+/// Masks that leave open who the person is are named, with what was found.
 fn masks_that_show_nobody_are_named() {
     use ImageFormat::{Jpeg, Png};
     let cases = [
