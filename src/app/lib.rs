@@ -14,7 +14,7 @@
 //! | dropped files | [`dropped`], [`file_list`] | what to show next |
 //! | live avatar | [`live`] | what the avatar is by now |
 //! | captures | `captures`, [`screenshot`] | screenshots, RenderDoc captures, the trace |
-//! | trials | `tuning` | which way to draw is fastest, for the next start |
+//! | trials | `question` | whether quads or tiles are faster, for the next start |
 //!
 //! [`painter`] draws a frame into the window, [`ui`] the panel over it. [`action`] lists what a
 //! user can ask for, and the keys.
@@ -45,11 +45,11 @@ pub mod pacing;
 pub mod painter;
 pub mod playback;
 pub mod quality_control;
+mod question;
 mod recovery;
 pub mod scene;
 pub mod screenshot;
 pub mod tap_gesture;
-mod tuning;
 pub mod ui;
 pub mod viewer;
 pub mod views;

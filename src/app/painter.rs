@@ -10,7 +10,6 @@ use effigy::vulkan::{
     GpuOptions, PixelCounts, PreTransform, PreparedAvatar, Present, PresentFeedback, Presentation,
     PresentedImage, Recording, Renderer, RendererOptions, Result,
     swapchain::{Acquired, Surface, Swapchain, Target},
-    tuning::Workload,
 };
 use effigy_core::{
     avatar::Avatar,
@@ -116,7 +115,7 @@ impl WindowPainter {
         } = device?;
         let present = Present::new(&gpu, surface.format())?;
         let renderer = Renderer::from_prepared(&gpu, &prepared?, full_quality)?;
-        let drawing = drawing(&renderer, full_quality);
+        let drawing = drawing(&renderer);
         // SAFETY: nothing uses it yet. Every frame leaves the image in this state, and `fit` sets
         // another after a resize.
         unsafe { present.set_image(renderer.raster().image()) };
@@ -176,7 +175,7 @@ impl WindowPainter {
         // resize sets another.
         unsafe { self.present.set_image(renderer.raster().image()) };
         self.renderer = renderer;
-        self.drawing = drawing(&self.renderer, self.full_quality);
+        self.drawing = drawing(&self.renderer);
         Ok(())
     }
 
@@ -190,7 +189,7 @@ impl WindowPainter {
         self.renderer.options()
     }
 
-    /// The options of frames at full quality; what they leave open is measured.
+    /// The options of frames at full quality.
     pub fn full_quality(&self) -> RendererOptions {
         RendererOptions {
             size: self.size(),
@@ -445,18 +444,11 @@ impl Drop for WindowPainter {
 }
 
 /// What a renderer draws with, and why.
-fn drawing(renderer: &Renderer, full_quality: RendererOptions) -> String {
-    match renderer.tuning() {
-        Some(tuning) => format!("{}: {}", tuning.best, tuning.reason()),
-        None => {
-            let options = renderer.options();
-            let name = options.method.map_or("", |method| method.name());
-            if Workload::is_open(&full_quality) {
-                format!("{name}: nothing else was measured yet")
-            } else {
-                format!("{name}, as the options say")
-            }
-        }
+fn drawing(renderer: &Renderer) -> String {
+    let name = renderer.raster().method().name();
+    match renderer.choice() {
+        Some(choice) => format!("{name}: {}", choice.reason()),
+        None => format!("{name}, as the options say"),
     }
 }
 

@@ -14,9 +14,9 @@ use crate::{
     options::{Loss, ViewerOptions},
     painter::WindowPainter,
     quality_control::QualityController,
+    question::BackgroundTrials,
     recovery::{REHEARSAL, Recovery},
     scene::{Background, FrameContent, ViewerScene},
-    tuning::BackgroundTrials,
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
 use anyhow::Context;
@@ -912,7 +912,7 @@ impl Viewer {
         let trials = self.trials.as_ref().filter(|_| is_lost);
         let is_excused = trials.is_some_and(BackgroundTrials::may_have_lost_the_device);
         if is_excused {
-            tracing::warn!("the device was lost while ways to draw were timed on another");
+            tracing::warn!("the device was lost while quads and tiles were compared on another");
         }
         is_excused
     }

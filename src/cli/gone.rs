@@ -14,6 +14,10 @@ const GONE: &[Gone] = &[
         instead: "its last tables are in docs/experiments/068-what-phones-would-take.md",
     },
     Gone {
+        written: "--cpu",
+        instead: "leave it out: CPU drivers draw as suits them, and nothing is timed on them",
+    },
+    Gone {
         written: "tiles",
         instead: "`--raster tiles-shared` is for desktop GPUs, `tiles-cooperative` for CPU drivers; \
                   each draws as suits it without --raster",

@@ -6,12 +6,11 @@ use crate::{
     interrupt::Interrupts,
     options::{self, QualityArgs},
     output::{self, Output},
-    progress,
     source::Source,
 };
 use anyhow::{Context, anyhow};
 use clap::ValueEnum;
-use effigy::vulkan::{Gpu, sort::choice, trials, tuning::Record};
+use effigy::vulkan::{Gpu, raster, sort};
 use effigy_measure::{
     bench::{RenderSetting, report::ErrorReport},
     soak::{
@@ -113,19 +112,13 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     args.quality.filter.apply(&mut avatar);
     let gpu = Gpu::new(&args.quality.gpu())?;
     let options = args.quality.renderer(args.size);
-    let bar = progress::open_ended();
-    let mut show = |candidate: &_| bar.set_message(format!("trying {candidate}"));
-    let tuned = stop.excuse(&Record::of_device(&gpu), |record| {
-        // A soak is of the fastest sort: it is worth the wait.
-        choice::choose(&gpu)?;
-        trials::tune(&gpu, record, &avatar, &player, options, &mut show)
-    })?;
+    // A soak is of the fastest sort: it is worth the wait.
+    sort::choice::choose(&gpu)?;
     let setting = RenderSetting {
-        options: tuned,
+        options: raster::resolved(&gpu, options),
         rows: 1.0,
         hold: 1,
     };
-    bar.finish_and_clear();
     let rate = match args.fps {
         Some(rate) => rate,
         None => soak::run::recommended_rate(&gpu, &avatar, &player, &setting)?,

@@ -14,11 +14,10 @@
 //! | [`sort`] | the radix sort, and the self-test that chooses its variant |
 //! | `passes` | the stages from an avatar's pose to its splats |
 //! | [`raster`] | the stages from sorted splats to an image |
-//! | [`tuning`] | how to draw, chosen by measuring |
 //! | [`compute`] | what other packages compute with: kernels of their own, and buffers |
 //! | [`rates`] | bytes and fragments that a device manages in a second |
 //! | `renderer` | the frame |
-//! | [`trials`] | frames by which `tuning` measures |
+//! | [`question`] | quads or tiles: measured once |
 //! | `window` | from an image to a window or a screen in memory |
 //! | [`statistics`] | what a driver's compiler says of every shader |
 
@@ -28,19 +27,18 @@ pub(crate) mod device;
 pub mod memory;
 pub(crate) mod passes;
 pub(crate) mod pipeline;
+pub mod question;
 pub mod raster;
 pub mod rates;
 pub(crate) mod renderer;
 pub mod sort;
 pub mod statistics;
-pub mod trials;
-pub mod tuning;
 pub(crate) mod window;
 
 pub use commands::{FRAMES_IN_FLIGHT, RunTimes, Semaphores};
 pub use device::{
     Error, Gpu, GpuOptions, Result, cache, error::During, handle::CommandPool, instance,
-    moment::Moment, probe, probe::Probe, recording::Recording,
+    moment::Moment, probe, probe::Probe, recording::Recording, trial,
 };
 pub use effigy_core::frame::{FrameReport, RendererOptions, preset};
 pub use pipeline::shaders;

@@ -9,12 +9,12 @@ mod devices;
 mod memory;
 mod preflight;
 mod present;
+mod question;
 mod rates;
 #[macro_use]
 mod small;
 mod stages;
 mod train;
-mod tuning;
 #[cfg(feature = "webgpu")]
 mod webgpu;
 
@@ -45,11 +45,11 @@ fn main() -> ExitCode {
             stages::stress,
             train,
             preflight,
+            question,
             clocks,
             devices,
             memory,
             present,
-            tuning,
             rates,
             #[cfg(feature = "webgpu")]
             webgpu,

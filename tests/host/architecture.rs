@@ -49,7 +49,7 @@ const LAYERS: &[Layers] = &[
             "quality_control",
             "screenshot",
             "captures",
-            "tuning",
+            "question",
             "options",
             "recovery",
             "tap_gesture",

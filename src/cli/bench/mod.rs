@@ -13,7 +13,6 @@ use crate::{
     source::{self, Source},
 };
 use anyhow::{Context, ensure};
-use effigy::vulkan::{trials, tuning::Record};
 use effigy_core::{io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Parameter, RenderSetting, measured, open,
@@ -247,22 +246,15 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         flip: args.flip,
         warm_up: args.warm_up,
     };
+    // The sorts may be tested.
+    Interrupts::excuse_trials()?;
     let gpu = open(args.backend.try_into()?, &args.quality.gpu())?;
     let bar = progress::items(0, "frames");
     let options = match args.quality.keys {
         Some(_) => job.setting.options,
         None => gpu.within_reach(job.setting.options),
     };
-    job.setting.options = match gpu.vulkan() {
-        Some(gpu) => {
-            let mut show = |candidate: &_| bar.set_message(format!("trying {candidate}"));
-            Interrupts::of_trials()?.excuse(&Record::of_device(gpu), |record| {
-                trials::tune(gpu, record, &avatar, player, options, &mut show)
-            })?
-        }
-        // It has nothing to choose from.
-        None => gpu.resolve(options),
-    };
+    job.setting.options = gpu.resolve(options);
     let any = task_of(job.sweep_case, false);
     let mut report = any.report(&gpu, &job.setting, std::env::args().collect());
     let mut show = |what: &str, done: usize, all: usize| {

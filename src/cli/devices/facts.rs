@@ -1,14 +1,15 @@
 //! What there is to say about a device: what it may have, and what was measured of it.
 
-use crate::{advice::NO_TRIANGLES, interrupt::Interrupts, progress};
+use crate::{advice::NO_TRIANGLES, progress};
 use ash::{ext, khr};
 use effigy::{
     quirks::{OLD_LAVAPIPE, leaves_loops},
     vulkan::{
-        Gpu, GpuOptions, Probe, RendererOptions, Result,
-        sort::{choice::choose, sort_choice::SortChoice},
-        trials,
-        tuning::{Record, Tuning},
+        Gpu, GpuOptions, Probe, RendererOptions,
+        question::{Question, QuestionScene},
+        raster::choice::MethodChoice,
+        sort::{SortVariant, choice::choose},
+        trial::Choice,
     },
 };
 use effigy_core::avatar::motion::Player;
@@ -104,61 +105,39 @@ fn subgroups(probe: &Probe) -> String {
     }
 }
 
-/// The self-test's choice of the sort variant, from its record or by running it. None where the
-/// device can't serve.
-pub fn sort(number: usize, probe: &Probe) -> Option<Result<SortChoice>> {
-    if !probe.missing_requirements().is_empty() {
-        return None;
-    }
-    let gpu = Gpu::new(&GpuOptions::headless(Some(number.to_string())));
-    Some(gpu.and_then(|gpu| choose(&gpu)))
+/// What was measured of a device.
+pub struct Measured {
+    /// The variant of the sort.
+    pub sort: Choice<SortVariant>,
+    /// The method that draws.
+    pub method: MethodChoice,
 }
 
-/// What was measured of the ways to draw on a device. Where nothing was, the demo is drawn to
-/// measure it if `measures` says so; `keep` gets what is found with each candidate. None where the
+/// What was measured of a device, after measuring it by the demo where nobody has. None where the
 /// device can't serve.
-pub fn tunings(
-    number: usize,
-    probe: &Probe,
-    measures: bool,
-    keep: &mut dyn FnMut(&[Tuning]) -> anyhow::Result<()>,
-) -> Option<anyhow::Result<Vec<Tuning>>> {
-    if !probe.missing_requirements().is_empty() {
-        return None;
-    }
-    Some(measured(number, measures, keep))
+pub fn measured(number: usize, probe: &Probe) -> Option<anyhow::Result<Measured>> {
+    let serves = probe.missing_requirements().is_empty();
+    serves.then(|| measure(number))
 }
 
-fn measured(
-    number: usize,
-    measures: bool,
-    keep: &mut dyn FnMut(&[Tuning]) -> anyhow::Result<()>,
-) -> anyhow::Result<Vec<Tuning>> {
+fn measure(number: usize) -> anyhow::Result<Measured> {
     let gpu = Gpu::new(&GpuOptions::headless(Some(number.to_string())))?;
-    let record = Record::of_device(&gpu);
-    let known = record.tunings();
-    let is_known = !known.is_empty() && known.iter().all(Tuning::is_done);
-    if is_known || !measures {
-        return Ok(known);
+    let sort = choose(&gpu)?;
+    let options = RendererOptions::new(DEMO_SIZE);
+    if !Question::is_open(&gpu, &options) {
+        let method = MethodChoice::of(&gpu);
+        return Ok(Measured { sort, method });
     }
     let avatar = effigy_demo::avatar()?;
     let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
+    let question = Question {
+        avatar: &avatar,
+        options,
+        scenes: &QuestionScene::of_clip(&avatar, &player, options.size),
+    };
     let bar = progress::open_ended();
-    let options = RendererOptions::new(DEMO_SIZE);
-    let mut kept = Ok(());
-    let tuning = Interrupts::of_trials()?.excuse(&record, |record| {
-        let mut show = |candidate: &_| {
-            bar.set_message(format!("trying {candidate}"));
-            if kept.is_ok() {
-                kept = keep(&record.tunings());
-            }
-        };
-        trials::measure(&gpu, record, &avatar, &player, options, &mut show)
-    })?;
+    bar.set_message("comparing quads and tiles");
+    let method = question.ask(&gpu)?;
     bar.finish_and_clear();
-    kept?;
-    let mut tunings = known;
-    tunings.retain(|known| known.workload != tuning.workload);
-    tunings.push(tuning);
-    Ok(tunings)
+    Ok(Measured { sort, method })
 }

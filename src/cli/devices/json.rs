@@ -1,39 +1,21 @@
 //! The list of devices as JSON. What is measured comes after what is known at once, and a file is
 //! written with each: it is not lost if the program is stopped.
 
-use super::facts::{optional, sort, tunings};
+use super::facts::{Measured, measured, optional};
 use crate::output::Output;
-use effigy::vulkan::{Probe, probe::version, tuning::Tuning};
+use effigy::vulkan::{Probe, probe::version};
 use serde_json::{Value, json};
 
-/// Writes the devices. `measures`: whether ways to draw on a device are
-/// timed that nobody timed yet.
-pub fn write(
-    probes: &[Probe],
-    out: &Output,
-    measures: impl Fn(&Probe) -> bool,
-) -> anyhow::Result<()> {
-    let keep = |devices: &[Value]| out.keep_json(&devices);
+/// Writes the devices.
+pub fn write(probes: &[Probe], out: &Output) -> anyhow::Result<()> {
     let mut devices: Vec<Value> = probes.iter().map(describe).collect();
-    keep(&devices)?;
     for (number, probe) in probes.iter().enumerate() {
-        devices[number]["sort"] = match sort(number, probe) {
-            Some(Ok(choice)) => json!(choice),
-            Some(Err(error)) => failed(&error),
-            None => Value::Null,
+        out.keep_json(&devices)?;
+        [devices[number]["sort"], devices[number]["drawing"]] = match measured(number, probe) {
+            Some(Ok(Measured { sort, method })) => [json!(sort), json!(method)],
+            Some(Err(error)) => [failed(&error), failed(&error)],
+            None => [Value::Null, Value::Null],
         };
-        keep(&devices)?;
-        let mut keep_tunings = |tunings: &[Tuning]| {
-            devices[number]["drawing"] = json!(tunings);
-            keep(&devices)
-        };
-        let drawing = match tunings(number, probe, measures(probe), &mut keep_tunings) {
-            Some(Ok(tunings)) => json!(tunings),
-            Some(Err(error)) => failed(&error),
-            None => Value::Null,
-        };
-        devices[number]["drawing"] = drawing;
-        keep(&devices)?;
     }
     out.write_json(&devices)?;
     println!("wrote {}", out.display());

@@ -5,21 +5,19 @@ mod json;
 mod shaders;
 
 use crate::{
+    interrupt::Interrupts,
     options::DeviceArgs,
     output::{CSV, JSON, Output},
 };
 use anyhow::ensure;
-use effigy::vulkan::{Error, Probe, instance::Instance, probe::version, tuning::Tuning};
-use facts::{optional, sort, tunings};
+use effigy::vulkan::{Error, Probe, instance::Instance, probe::version};
+use facts::{Measured, measured, optional};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Print JSON, or write it to a file with what is known so far as it is found
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", value_parser = JSON.parser())]
     json: Option<Output>,
-    /// Also time ways to draw on CPU drivers beside a GPU, which takes them half a minute and more
-    #[arg(long)]
-    cpu: bool,
     /// Print what the driver's compiler makes of every shader, in place of the list: instructions,
     /// registers and spills, as the driver counts them
     #[arg(long)]
@@ -41,29 +39,21 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     );
     let instance = Instance::new(false, &[])?;
     let probes = Probe::all(&instance)?;
-    let has_gpu = probes
-        .iter()
-        .any(|probe| !probe.is_cpu() && probe.missing_requirements().is_empty());
-    let measures = |probe: &Probe| measures(probe.is_cpu(), has_gpu, args.cpu);
+    // Ctrl-C may come while something is measured.
+    Interrupts::excuse_trials()?;
     if let Some(out) = &args.json {
-        return json::write(&probes, out, measures);
+        return json::write(&probes, out);
     }
     if probes.is_empty() {
         return Err(Error::NoDevice.into());
     }
     for (number, probe) in probes.iter().enumerate() {
-        print(number, probe, measures(probe));
+        print(number, probe);
     }
     Ok(())
 }
 
-/// Whether ways to draw on a device are timed. `asked`: for those on CPU drivers.
-fn measures(is_cpu: bool, has_gpu: bool, asked: bool) -> bool {
-    !is_cpu || !has_gpu || asked
-}
-
-/// `measures`: whether ways to draw are timed that nobody timed yet.
-fn print(number: usize, probe: &Probe, measures: bool) {
+fn print(number: usize, probe: &Probe) {
     let limits = &probe.limits;
     let image_side = limits
         .max_framebuffer_width
@@ -86,27 +76,15 @@ fn print(number: usize, probe: &Probe, measures: bool) {
         let has = if part.has { "yes" } else { "no " };
         println!("   {:16} {has} → {}", part.name, part.means);
     }
-    match sort(number, probe) {
-        Some(Ok(choice)) => {
-            println!(
-                "   sort             {} → the fastest that passes the self-test",
-                choice.variant.name()
-            );
-            for tested in &choice.tried {
-                println!("     {:14} {}", tested.variant.name(), tested.outcome);
+    match measured(number, probe) {
+        Some(Ok(Measured { sort, method })) => {
+            let name = sort.variant.name();
+            println!("   sort             {name} → the fastest that passes the self-test");
+            for tried in &sort.tried {
+                println!("     {:14} {}", tried.variant.name(), tried.outcome);
             }
-        }
-        Some(Err(error)) => println!("   sort             {error}"),
-        None => {}
-    }
-    match tunings(number, probe, measures, &mut |_| Ok(())) {
-        Some(Ok(tunings)) => {
-            for tuning in &tunings {
-                print_tuning(tuning);
-            }
-            if tunings.is_empty() && !measures {
-                println!("   drawing          not timed beside a GPU; --cpu times it");
-            }
+            let name = method.method.name();
+            println!("   drawing          {name} → {}", method.reason());
         }
         Some(Err(error)) => println!("   drawing          {error}"),
         None => {}
@@ -116,26 +94,5 @@ fn print(number: usize, probe: &Probe, measures: bool) {
         println!("   can serve\n");
     } else {
         println!("   can't serve: {}\n", missing.join("; "));
-    }
-}
-
-fn print_tuning(tuning: &Tuning) {
-    println!("   drawing          {}", tuning.workload);
-    println!("     {}", tuning.best);
-    println!("     {}", tuning.reason());
-    for tried in &tuning.tried {
-        println!("       {}: {}", tried.candidate, tried.outcome);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cpu_drivers_are_timed_where_there_is_no_gpu_or_they_are_asked_for() {
-        let cpu = |has_gpu, asked| measures(true, has_gpu, asked);
-        assert!(cpu(false, false) && cpu(true, true) && !cpu(true, false));
-        assert!(measures(false, true, false), "a GPU always is");
     }
 }

@@ -152,6 +152,28 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// Whether it says nothing of how is drawn: it may not happen next time or with another avatar,
+    /// the options or the avatar are at fault, or a CPU was busy.
+    pub(crate) fn may_pass(&self, is_cpu: bool) -> bool {
+        match self {
+            Self::OutOfMemory { .. }
+            | Self::Allocation { .. }
+            | Self::TooLarge { .. }
+            | Self::ImageSize { .. }
+            | Self::Unusable(_)
+            | Self::Avatar(_) => true,
+            Self::Timeout { .. } => is_cpu,
+            _ => false,
+        }
+    }
+
+    /// Whether the device can be drawn with afterwards.
+    pub(crate) fn leaves_the_device(&self) -> bool {
+        !matches!(self, Self::DeviceLost(_) | Self::Timeout { .. })
+    }
+}
+
 /// Where the record of the tests lies, as the end of a sentence.
 fn recorded(record: &Option<PathBuf>) -> String {
     match record {

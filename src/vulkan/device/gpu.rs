@@ -10,18 +10,28 @@ use super::{
     kept_pipelines::KeptPipelines,
     logical::{Device, DeviceFeatures},
     options::GpuOptions,
+    outcome::{Choice, Tried},
     probe::Probe,
     recording::Recording,
-    sort_choice::Sorts,
     statistics::Statistics,
 };
 use ash::{khr, vk};
+use effigy_core::frame::SortVariant;
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::{
     mem::ManuallyDrop,
     ops::Deref,
-    sync::{Arc, Mutex, MutexGuard, PoisonError},
+    sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError},
 };
+
+/// Results of the sort's self-test while the program runs.
+#[derive(Default)]
+pub(crate) struct Sorts {
+    /// The choice, once it is made.
+    pub chosen: OnceLock<Choice<SortVariant>>,
+    /// Outcomes of variants that were asked for by name.
+    pub asked: Mutex<Vec<Tried<SortVariant>>>,
+}
 
 /// A Vulkan device with one queue for everything.
 pub struct Gpu {

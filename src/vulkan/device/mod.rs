@@ -11,11 +11,12 @@ pub(crate) mod kept_pipelines;
 pub(crate) mod logical;
 pub(crate) mod moment;
 pub(crate) mod options;
+pub(crate) mod outcome;
 pub mod probe;
 pub(crate) mod record_file;
 pub(crate) mod recording;
-pub mod sort_choice;
 pub(crate) mod statistics;
+pub mod trial;
 
 pub use error::{Error, Result};
 pub use gpu::Gpu;

@@ -7,6 +7,7 @@
 //! | [`RasterMethod::SharedTiles`], [`RasterMethod::CooperativeTiles`] | `binning` lists the splats of each bin or tile, a kernel blends each pixel near to far | none behind a saturated pixel |
 
 mod bins;
+pub mod choice;
 pub(crate) mod download;
 pub(crate) mod draw;
 mod options;

@@ -25,12 +25,12 @@ use super::{
     pipeline::FrameMemory,
     raster::{
         Raster,
+        choice::{MethodChoice, strike_off},
         download::{self, Copied},
         draw::{Draw, RasterInputs},
         resolved,
     },
-    sort::{Sort, SortOptions, choice},
-    tuning::{Record, Tuning, Workload, device_lives, may_pass},
+    sort::{self, Sort, SortOptions},
 };
 use crate::ndk::section;
 use ash::vk;
@@ -92,8 +92,8 @@ pub struct Renderer {
     pose: Buffer,
     /// A block for each avatar of each frame under way.
     blocks: Blocks,
-    /// What was measured of its workload. None where nothing was.
-    tuning: Option<Tuning>,
+    /// Why it draws by its method. None where the options said so.
+    choice: Option<MethodChoice>,
     model: Model,
     extent: AvatarBounds,
     room: Room,
@@ -121,9 +121,8 @@ struct FrameBefore {
 }
 
 impl Renderer {
-    /// Uploads an avatar, and compiles the kernels. Options that are None are chosen as was measured
-    /// on the device ([`tuning`](crate::vulkan::tuning)); where nothing was measured yet, as is
-    /// safest on its kind.
+    /// Uploads an avatar, and compiles the kernels. Options that are None are chosen as suits the
+    /// device's class, or as was measured on it ([`question`](crate::vulkan::question)).
     ///
     /// # Errors
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, the device's memory
@@ -141,30 +140,36 @@ impl Renderer {
         prepared: &PreparedAvatar,
         options: RendererOptions,
     ) -> Result<Self> {
-        if !Workload::is_open(&options) {
+        if options.method.is_some() {
             return Self::with(gpu, prepared, options);
         }
-        let record = Record::of_device(gpu);
-        let Some(tuning) = record.tuning(&Workload::new(prepared.avatar, &options)) else {
-            return Self::with(gpu, prepared, options);
+        let choice = MethodChoice::of(gpu);
+        let with = |method| {
+            let options = RendererOptions {
+                method: Some(method),
+                ..resolved(gpu, options)
+            };
+            Self::with(gpu, prepared, options)
         };
-        match Self::with(gpu, prepared, tuning.best.apply(options)) {
-            Ok(renderer) => Ok(Self {
-                tuning: Some(tuning),
-                ..renderer
-            }),
-            Err(error) if tuning.best == tuning.safest => Err(error),
-            Err(error) => {
-                if !may_pass(&error, gpu.probe.is_cpu()) {
-                    record.strike_off(&tuning, &error.to_string());
+        let (choice, made) = match with(choice.method) {
+            Err(error) if choice.is_rival() => {
+                if !error.may_pass(gpu.probe.is_cpu()) {
+                    strike_off(gpu, choice.method, &error.to_string());
                 }
-                if !device_lives(&error) {
+                if !error.leaves_the_device() {
                     return Err(error);
                 }
-                // The safest may also need less memory.
-                Self::with(gpu, prepared, options)
+                // It may also need less memory.
+                let made = with(choice.class);
+                let method = choice.class;
+                (MethodChoice { method, ..choice }, made)
             }
-        }
+            made => (choice, made),
+        };
+        Ok(Self {
+            choice: Some(choice),
+            ..made?
+        })
     }
 
     /// Without measurements.
@@ -198,10 +203,10 @@ impl Renderer {
         let memory = FrameMemory::new(blocks.slice()).with(Resource::Pose, &pose);
         let variant = match options.sort {
             Some(variant) => {
-                choice::allow(gpu, variant)?;
+                sort::choice::allow(gpu, variant)?;
                 variant
             }
-            None => choice::without_test(gpu)?,
+            None => sort::choice::without_test(gpu)?,
         };
         let project = Project::new(gpu, &model, &memory, variant, &options, room)?;
         let sort_options = SortOptions {
@@ -247,7 +252,7 @@ impl Renderer {
             needs: PartDependencies::new(avatar),
             model,
             options,
-            tuning: None,
+            choice: None,
             state: FrameState::default(),
             key_count: None,
             damaged: None,
@@ -327,24 +332,19 @@ impl Renderer {
         &self.options
     }
 
-    /// What was measured of what it draws: its options are the best of it. None where nothing was,
-    /// or the options were all given.
-    pub fn tuning(&self) -> Option<&Tuning> {
-        self.tuning.as_ref()
+    /// Why it draws by its method. None where the options said so.
+    pub fn choice(&self) -> Option<&MethodChoice> {
+        self.choice.as_ref()
     }
 
-    /// Has no renderer made from now on draw as this one does, if it draws as was measured to be
-    /// fastest and not as is safest. Call it when the device is lost or hangs. Returns whether the
+    /// Has no renderer made from now on draw as this one does, if it draws by another method than
+    /// that of the device's class. Call it when the device is lost or hangs. Returns whether the
     /// next one draws otherwise.
     pub fn strike_off(&self, why: &str) -> bool {
-        let Some(tuning) = self
-            .tuning
-            .as_ref()
-            .filter(|tuning| tuning.best != tuning.safest)
-        else {
+        let Some(choice) = self.choice.as_ref().filter(|choice| choice.is_rival()) else {
             return false;
         };
-        Record::of_device(&self.gpu).strike_off(tuning, why);
+        strike_off(&self.gpu, choice.method, why);
         true
     }
 
@@ -529,7 +529,7 @@ impl Renderer {
         // SAFETY: every frame is done, and all that binds the buffer gets the new one below.
         let replacement = match unsafe { self.project.make_cache(&self.gpu) } {
             Ok(replacement) => replacement,
-            Err(error) if device_lives(&error) => {
+            Err(error) if error.leaves_the_device() => {
                 tracing::warn!("poses are not cached: {error}");
                 self.options.skip -= Skip::SKINNING;
                 return Ok(false);

@@ -4,14 +4,16 @@
 
 use super::{
     options::{SortOptions, unsupported},
-    record::Record,
     standalone::StandaloneSort,
 };
-use crate::vulkan::device::{
-    cache,
-    error::{Error, Result},
-    gpu::Gpu,
-    sort_choice::{Outcome, SortChoice, TestedVariant},
+use crate::vulkan::{
+    device::{
+        cache,
+        error::{Error, Result},
+        gpu::Gpu,
+        trial::{Choice, Outcome, Record, Tried},
+    },
+    pipeline::shaders,
 };
 use effigy_core::{
     frame::{KeyBits, SortVariant},
@@ -32,11 +34,26 @@ const LONG_TILES: u32 = MAX_SUMMED_TILES + 3;
 /// A sort of so few keys that takes longer, twice, is refused.
 const PATIENCE: Duration = Duration::from_secs(2);
 
+/// The variants for a device, of which the first is the safest: without a test it may be used.
+fn variants(gpu: &Gpu) -> [SortVariant; 2] {
+    // Counters for each thread save a CPU driver its barriers; OneSweep takes one a second and more
+    // to compile, and gains it nothing.
+    if gpu.probe.is_cpu() {
+        [SortVariant::PerThread, SortVariant::ReduceThenScan]
+    } else {
+        [SortVariant::ReduceThenScan, SortVariant::OneSweep]
+    }
+}
+
+fn record(gpu: &Gpu, folder: Option<&Path>) -> Record<SortVariant> {
+    Record::new(gpu, folder, "sort", shaders::sort_hash())
+}
+
 /// Returns the variant to sort with, testing those without a record. The first call after a change
 /// of driver or program takes a part of a second; later calls and starts read the record. Fails
 /// where no variant is right, or the device is lost or hangs in a test, which later starts do not
 /// repeat.
-pub fn choose(gpu: &Arc<Gpu>) -> Result<SortChoice> {
+pub fn choose(gpu: &Arc<Gpu>) -> Result<Choice<SortVariant>> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.clone());
     }
@@ -51,56 +68,44 @@ pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.variant);
     }
-    let record = Record::new(gpu, cache::folder().as_deref());
+    let record = record(gpu, cache::folder().as_deref());
     // Read each time: a test behind a window may have found something since.
     let tried = record.read();
-    if let Some(choice) = SortChoice::fastest(&tried) {
+    if let Some(choice) = Choice::fastest(&tried) {
         return Ok(choice.variant);
     }
-    // Counters for each thread save a CPU driver its barriers.
-    let safe = if gpu.probe.is_cpu() {
-        [SortVariant::PerThread, SortVariant::ReduceThenScan]
-    } else {
-        [SortVariant::ReduceThenScan, SortVariant::PerThread]
-    };
-    let untried = untried(&tried);
-    safe.into_iter()
-        .find(|variant| untried.contains(variant))
-        .ok_or_else(|| no_sort(gpu, &tried, &record))
+    let mut untried = untried(gpu, &tried).into_iter();
+    untried.next().ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
-/// The variants without a record.
-fn untried(tried: &[TestedVariant]) -> Vec<SortVariant> {
-    SortVariant::ALL
+/// The variants without a record, the safest first.
+fn untried(gpu: &Gpu, tried: &[Tried<SortVariant>]) -> Vec<SortVariant> {
+    variants(gpu)
         .into_iter()
-        .filter(|variant| TestedVariant::outcome_of(tried, *variant).is_none())
+        .filter(|variant| Tried::outcome_of(tried, *variant).is_none())
         .collect()
 }
 
 /// Whether every variant has a record, so that [`choose`] tests nothing.
 pub fn is_tested(gpu: &Gpu) -> bool {
     gpu.sorts.chosen.get().is_some() || {
-        let record = Record::new(gpu, cache::folder().as_deref());
-        untried(&record.read()).is_empty()
+        let record = record(gpu, cache::folder().as_deref());
+        untried(gpu, &record.read()).is_empty()
     }
 }
 
 /// Like [`choose`], with the record in `folder`; None keeps no record.
-pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
-    let record = Record::new(gpu, folder);
+pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Choice<SortVariant>> {
+    let record = record(gpu, folder);
     let mut tried = record.read();
-    let untried = untried(&tried);
+    let untried = untried(gpu, &tried);
     for &variant in &untried {
         record.begin(&tried, variant);
-        let outcome = match needless(gpu, variant) {
-            Some(why) => Ok(Outcome::Unsupported(why.into())),
-            None => test(gpu, variant),
-        };
-        match outcome {
-            Ok(outcome) => tried.push(TestedVariant { variant, outcome }),
+        match test(gpu, variant) {
+            Ok(outcome) => tried.push(Tried { variant, outcome }),
             Err(error) => {
                 if brought_down(gpu, &error) {
-                    tried.push(TestedVariant {
+                    tried.push(Tried {
                         variant,
                         outcome: Outcome::Refused(error.to_string()),
                     });
@@ -113,10 +118,10 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
     if !untried.is_empty() {
         record.write(&tried);
     }
-    SortChoice::fastest(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
+    Choice::fastest(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
-fn no_sort(gpu: &Gpu, tried: &[TestedVariant], record: &Record) -> Error {
+fn no_sort(gpu: &Gpu, tried: &[Tried<SortVariant>], record: &Record<SortVariant>) -> Error {
     let reasons: Vec<_> = tried
         .iter()
         .map(|tested| format!("{}: {}", tested.variant.name(), tested.outcome))
@@ -157,7 +162,7 @@ pub(crate) fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
 
 /// The outcome of a variant named by the user. Tests it if it has no record.
 fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
-    let find = |tried: &[TestedVariant]| TestedVariant::outcome_of(tried, variant).cloned();
+    let find = |tried: &[Tried<SortVariant>]| Tried::outcome_of(tried, variant).cloned();
     let mut asked = gpu
         .sorts
         .asked
@@ -168,13 +173,13 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     }
     let known = match gpu.sorts.chosen.get() {
         Some(choice) => find(&choice.tried),
-        None => find(&Record::new(gpu, cache::folder().as_deref()).read()),
+        None => find(&record(gpu, cache::folder().as_deref()).read()),
     };
     match known {
         // It may lack no more than a use here.
         Some(Outcome::Unsupported(_)) | None => {
             let outcome = test(gpu, variant)?;
-            asked.push(TestedVariant {
+            asked.push(Tried {
                 variant,
                 outcome: outcome.clone(),
             });
@@ -182,14 +187,6 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
         }
         Some(outcome) => Ok(outcome),
     }
-}
-
-/// The reason not to test a variant, if there is one: CPU drivers take a second and more to compile
-/// OneSweep, and do not gain by it.
-fn needless(gpu: &Gpu, variant: SortVariant) -> Option<&'static str> {
-    let cpu = gpu.probe.is_cpu();
-    (variant == SortVariant::OneSweep && cpu)
-        .then_some("not tested on a CPU, where it takes longer to compile than it could save")
 }
 
 /// Tests one variant, whatever the record says. Fails only where the device can't be used any more.

@@ -32,11 +32,9 @@
 pub mod choice;
 mod options;
 mod passes;
-pub(crate) mod record;
 mod stage;
 pub mod standalone;
 
-pub use crate::vulkan::device::sort_choice;
 pub use effigy_core::frame::{KeyBits, SortVariant};
 #[cfg(doc)]
 use effigy_core::layout::Control;

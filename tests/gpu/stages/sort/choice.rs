@@ -1,9 +1,9 @@
 //! The self-test and the file that remembers its choice.
 
 use super::*;
-use effigy::vulkan::sort::{
-    choice::{choose_in, test},
-    sort_choice::{Outcome, SortChoice, TestedVariant},
+use effigy::vulkan::{
+    sort::choice::{choose_in, test},
+    trial::{Choice, Outcome, Tried},
 };
 use std::{fs, path::PathBuf};
 
@@ -16,8 +16,8 @@ fn file(folder: &tempfile::TempDir) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome(choice: &SortChoice, variant: SortVariant) -> &Outcome {
-    TestedVariant::outcome_of(&choice.tried, variant).unwrap()
+fn outcome(choice: &Choice<SortVariant>, variant: SortVariant) -> &Outcome {
+    Tried::outcome_of(&choice.tried, variant).unwrap()
 }
 
 fn the_self_test_picks_a_variant_that_is_right_and_remembers_it() {
@@ -97,22 +97,22 @@ fn a_variant_that_ended_the_program_twice_is_not_tried_again() {
         serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
     // As it would be had the program ended in the first test.
     content["tried"] = serde_json::json!([]);
-    content["trying"] = serde_json::json!(["OneSweep", 1]);
+    content["trying"] = serde_json::json!(["ReduceThenScan", 1]);
     fs::write(&path, content.to_string()).unwrap();
     let again = choose_in(&device, Some(folder.path())).unwrap();
     assert_ne!(
-        *outcome(&again, SortVariant::OneSweep),
+        *outcome(&again, SortVariant::ReduceThenScan),
         Outcome::Unfinished,
         "the user may have ended it"
     );
-    content["trying"] = serde_json::json!(["OneSweep", 2]);
+    content["trying"] = serde_json::json!(["ReduceThenScan", 2]);
     fs::write(&path, content.to_string()).unwrap();
     let choice = choose_in(&device, Some(folder.path())).unwrap();
     assert_eq!(
-        *outcome(&choice, SortVariant::OneSweep),
+        *outcome(&choice, SortVariant::ReduceThenScan),
         Outcome::Unfinished
     );
-    assert_ne!(choice.variant, SortVariant::OneSweep);
+    assert_ne!(choice.variant, SortVariant::ReduceThenScan);
     assert_eq!(
         choose_in(&device, Some(folder.path())).unwrap(),
         choice,
@@ -126,10 +126,10 @@ fn the_fastest_right_variant_wins() {
         SortVariant::ALL
             .into_iter()
             .zip(times.map(outcome))
-            .map(TestedVariant::from)
+            .map(Tried::from)
             .collect::<Vec<_>>()
     };
-    let pick = |times| SortChoice::fastest(&tried(times)).map(|choice| choice.variant);
+    let pick = |times| Choice::fastest(&tried(times)).map(|choice| choice.variant);
     assert_eq!(
         pick([Some(1.0), Some(2.0), Some(3.0)]),
         Some(SortVariant::OneSweep)

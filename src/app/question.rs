@@ -1,10 +1,11 @@
-//! Has the ways to draw timed for the next start, while the window shows the safest.
+//! Has a GPU asked whether it draws faster with quads or tiles, while the window shows the method of
+//! its class. The next start draws by the answer.
 
 use crate::{painter::WindowPainter, scene::ViewerScene};
 use effigy::vulkan::{
     Error, GpuOptions,
-    trials::{START_BUDGET_MS, TrialScene, TuningTask, tune_aside},
-    tuning::{Record, Workload},
+    question::{Aside, Question, QuestionScene},
+    sort, trial,
 };
 use std::{
     sync::{Arc, Mutex, PoisonError},
@@ -25,16 +26,15 @@ enum Progress {
     Lost(Instant),
 }
 
-/// Trials on a thread and a device of their own: a driver that hangs in a trial takes nothing from
-/// the window.
+/// Trials of sorts and methods on a thread and a device of their own: a driver that hangs in a trial
+/// takes nothing from the window.
 pub struct BackgroundTrials {
-    record: Arc<Record>,
     fate: Fate,
 }
 
 impl BackgroundTrials {
-    /// Starts timing, if there is anything left to time. Not on CPU drivers, where trials would take
-    /// the processor from the frames shown; `effigy bench` measures there.
+    /// Starts, if there is anything left to find out. Not on CPU drivers, where trials would take
+    /// the processor from the frames shown.
     pub fn start(
         device: &GpuOptions,
         painter: &WindowPainter,
@@ -42,61 +42,46 @@ impl BackgroundTrials {
     ) -> Option<Self> {
         let gpu = painter.gpu();
         let options = painter.full_quality();
-        if gpu.probe.is_cpu() || !Workload::is_open(&options) {
+        let is_open = Question::is_open(gpu, &options) || !sort::choice::is_tested(gpu);
+        if gpu.probe.is_cpu() || !is_open {
             return None;
         }
-        let avatar = scene.avatar();
-        let workload = Workload::new(avatar, &options);
-        let record = Record::of_device(gpu);
-        let known = record.tuning(&workload);
-        if known.is_some_and(|tuning| tuning.is_done()) {
-            return None;
-        }
+        let avatar = scene.avatar().clone();
         let scenes = match scene.player() {
-            Some(player) => TrialScene::of_clip(avatar, player, options.size),
-            None => TrialScene::around(avatar, &[scene.posed().clone()], options.size),
+            Some(player) => QuestionScene::of_clip(&avatar, player, options.size),
+            None => QuestionScene::around(&avatar, &[scene.posed().clone()], options.size),
         };
-        let device = GpuOptions {
-            device: Some(gpu.probe.name.clone()),
-            ..device.clone()
-        };
-        let avatar = avatar.clone();
-        let record = Arc::new(record);
-        let own = record.clone();
+        let device = Aside::of(gpu, device);
         let fate = Fate::default();
         let watched = fate.clone();
-        let time = move || {
-            let task = TuningTask {
+        let ask = move || {
+            let question = Question {
                 avatar: &avatar,
                 options,
                 scenes: &scenes,
-                budget_ms: START_BUDGET_MS,
             };
-            let timed = tune_aside(&device, &own, &task);
-            watched.end(timed.as_ref().err(), Instant::now());
-            match timed {
-                Ok(tuning) => {
-                    tracing::info!(
-                        "the next start draws with {}: {}",
-                        tuning.best,
-                        tuning.reason()
-                    );
+            let answer = device.open().and_then(|gpu| question.ask(&gpu));
+            watched.end(answer.as_ref().err(), Instant::now());
+            match answer {
+                Ok(choice) => {
+                    let method = choice.method.name();
+                    tracing::info!("the next start draws with {method}: {}", choice.reason());
                 }
-                Err(error) => tracing::warn!("not all ways to draw could be timed: {error}"),
+                Err(error) => tracing::warn!("quads and tiles could not be compared: {error}"),
             }
         };
         let thread = std::thread::Builder::new().name("trials".into());
-        if let Err(error) = thread.spawn(time) {
-            tracing::warn!("the ways to draw are not timed: {error}");
+        if let Err(error) = thread.spawn(ask) {
+            tracing::warn!("quads and tiles are not compared: {error}");
             return None;
         }
-        Some(Self { record, fate })
+        Some(Self { fate })
     }
 
-    /// The program ends, or may be ended without notice: the candidate under trial is not to blame
-    /// for that.
+    /// The program ends, or may be ended without notice: what is under trial is not to blame for
+    /// that.
     pub fn withdraw(&self) {
-        self.record.withdraw();
+        trial::withdraw();
     }
 
     /// Whether they may have brought the window's device down, which is lost now. True once: a loss

@@ -1,0 +1,100 @@
+//! What trials of variants on a device found.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// How often a variant is tried whose earlier trials never ended: one may have crashed the program,
+/// or the user may have ended it.
+pub(super) const ATTEMPTS: u32 = 2;
+
+/// Outcome of a variant's trial.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Outcome {
+    /// Right everywhere; the time that the trial took it, ms.
+    Right(f64),
+    /// The device can't run it.
+    Unsupported(String),
+    /// It gave something wrong, did not finish in time, or failed.
+    Refused(String),
+    /// The program ended in its trial, more than once.
+    Unfinished,
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Right(ms) => write!(f, "{ms:.3} ms"),
+            Self::Unsupported(why) => write!(f, "not used: {why}"),
+            Self::Refused(why) => write!(f, "refused: {why}"),
+            Self::Unfinished => write!(
+                f,
+                "refused: the program ended during its trial, {ATTEMPTS} times"
+            ),
+        }
+    }
+}
+
+/// A variant, and the outcome of its trial. In JSON it is a pair.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "(V, Outcome)", into = "(V, Outcome)")]
+pub struct Tried<V: Clone> {
+    /// The variant.
+    pub variant: V,
+    /// The outcome.
+    pub outcome: Outcome,
+}
+
+impl<V: Clone> From<(V, Outcome)> for Tried<V> {
+    fn from((variant, outcome): (V, Outcome)) -> Self {
+        Self { variant, outcome }
+    }
+}
+
+impl<V: Clone> From<Tried<V>> for (V, Outcome) {
+    fn from(tried: Tried<V>) -> Self {
+        (tried.variant, tried.outcome)
+    }
+}
+
+impl<V: Copy + PartialEq> Tried<V> {
+    /// The outcome of a variant among several. None where it was not tried.
+    pub fn outcome_of(tried: &[Self], variant: V) -> Option<&Outcome> {
+        let own = tried.iter().find(|tried| tried.variant == variant)?;
+        Some(&own.outcome)
+    }
+
+    /// The time of a variant that is right, ms.
+    pub(crate) fn ms_of(tried: &[Self], variant: V) -> Option<f64> {
+        match Self::outcome_of(tried, variant)? {
+            Outcome::Right(ms) => Some(*ms),
+            _ => None,
+        }
+    }
+}
+
+/// The variant to use on a device, and why.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Choice<V: Clone> {
+    /// The variant.
+    pub variant: V,
+    /// What came of each that was tried.
+    pub tried: Vec<Tried<V>>,
+}
+
+impl<V: Copy + PartialEq> Choice<V> {
+    /// The fastest variant that is right. None where none is.
+    pub fn fastest(tried: &[Tried<V>]) -> Option<Self> {
+        let mut fastest: Option<(V, f64)> = None;
+        for tried in tried {
+            if let Outcome::Right(ms) = tried.outcome
+                && fastest.is_none_or(|(_, best)| ms.total_cmp(&best).is_lt())
+            {
+                fastest = Some((tried.variant, ms));
+            }
+        }
+        fastest.map(|(variant, _)| Self {
+            variant,
+            tried: tried.to_vec(),
+        })
+    }
+}

@@ -1,0 +1,137 @@
+//! The file that remembers what trials of variants found: one for each device and driver, in the
+//! program's cache folder.
+
+use super::{cache, gpu::Gpu, outcome::ATTEMPTS, record_file::RecordFile};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::{
+    fs,
+    marker::PhantomData,
+    path::{Path, PathBuf},
+    sync::{Mutex, MutexGuard, PoisonError},
+};
+
+pub use super::outcome::{Choice, Outcome, Tried};
+
+#[derive(Serialize, Deserialize)]
+struct Content<V: Clone> {
+    /// The variant under trial when this was written, and how many trials of it were begun.
+    trying: Option<(V, u32)>,
+    tried: Vec<Tried<V>>,
+}
+
+impl<V: Clone> Default for Content<V> {
+    fn default() -> Self {
+        Self {
+            trying: None,
+            tried: Vec::new(),
+        }
+    }
+}
+
+/// What this program tries.
+enum Trial {
+    None,
+    /// What the file at this path names.
+    Begun(Option<PathBuf>),
+    /// The program ends: what is tried from now on is not noted.
+    Withdrawn,
+}
+
+static TRIAL: Mutex<Trial> = Mutex::new(Trial::None);
+
+fn trial() -> MutexGuard<'static, Trial> {
+    TRIAL.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The program ends in good order: that a trial on some thread has no end says nothing about its
+/// variant, and none is begun any more.
+pub fn withdraw() {
+    let mut trial = trial();
+    if let Trial::Begun(Some(path)) = &*trial
+        && let Some(text) = withdrawn(path)
+        && let Err(error) = cache::write(path, text.as_bytes())
+    {
+        tracing::debug!("{} was not written: {error}", path.display());
+    }
+    *trial = Trial::Withdrawn;
+}
+
+/// A record without its last attempt.
+fn withdrawn(path: &Path) -> Option<String> {
+    let mut content: serde_json::Value = serde_json::from_slice(&fs::read(path).ok()?).ok()?;
+    let trying = content.get_mut("trying")?;
+    let attempts = trying.get(1)?.as_u64()?;
+    if attempts > 1 {
+        trying[1] = (attempts - 1).into();
+    } else {
+        *trying = serde_json::Value::Null;
+    }
+    serde_json::to_string_pretty(&content).ok()
+}
+
+/// What the file says.
+pub(crate) struct Record<V> {
+    file: RecordFile,
+    variants: PhantomData<V>,
+}
+
+impl<V: Copy + PartialEq + Serialize + DeserializeOwned> Record<V> {
+    /// `folder`: None remembers nothing. `name`: the start of the file's. `shaders`: a hash of the
+    /// modules that are tried.
+    pub fn new(gpu: &Gpu, folder: Option<&Path>, name: &str, shaders: u64) -> Self {
+        Self {
+            file: RecordFile::new(gpu, folder, name, shaders),
+            variants: PhantomData,
+        }
+    }
+
+    /// How each variant did that was tried before.
+    pub fn read(&self) -> Vec<Tried<V>> {
+        let mut content: Content<V> = self.file.read();
+        let ended = content.trying.filter(|&(_, attempts)| attempts >= ATTEMPTS);
+        content.tried.extend(ended.map(|(variant, _)| Tried {
+            variant,
+            outcome: Outcome::Unfinished,
+        }));
+        content.tried
+    }
+
+    /// Notes that a variant's trial begins. What is not followed by [`Self::write`] counts against
+    /// it, after a second time. False once the program ends: then nothing is to be tried.
+    pub fn begin(&self, tried: &[Tried<V>], variant: V) -> bool {
+        let mut trial = trial();
+        if let Trial::Withdrawn = *trial {
+            return false;
+        }
+        *trial = Trial::Begun(self.path().map(Path::to_path_buf));
+        let content: Content<V> = self.file.read();
+        let before = content.trying.filter(|&(trying, _)| trying == variant);
+        self.file.write(&Content {
+            trying: Some((variant, 1 + before.map_or(0, |(_, attempts)| attempts))),
+            tried: tried.to_vec(),
+        });
+        true
+    }
+
+    /// Notes what was found so far.
+    pub fn write(&self, tried: &[Tried<V>]) {
+        let mut trial = trial();
+        if let Trial::Begun(_) = *trial {
+            *trial = Trial::None;
+        }
+        self.file.write(&Content {
+            trying: None,
+            tried: tried.to_vec(),
+        });
+    }
+
+    /// Whether it is about this device, as it was opened.
+    pub fn is_of(&self, gpu: &Gpu) -> bool {
+        self.file.is_of(gpu)
+    }
+
+    /// The record's file, for a message.
+    pub fn path(&self) -> Option<&Path> {
+        self.file.path()
+    }
+}
