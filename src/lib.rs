@@ -80,14 +80,13 @@
 //! | `hash` | FNV-1a, for the names of caches and fingerprints |
 //! | `ndk` | sections for Android's tracer |
 //! | `quirks` | what single drivers do wrong or best |
-//! | `wgsl` | the shaders of WebGPU |
 //! | [`vulkan`] | the stages on Vulkan |
 //! | `webgpu` | the stages on WebGPU, with the feature of that name or in a browser |
 //!
 //! # Packages
 //!
-//! `effigy-core` holds avatars, files, frames and the reference, whatever draws them; this package
-//! draws, on Vulkan ([`vulkan`]) and WebGPU. The viewer, measuring, learning and the command line
+//! `effigy-core` holds avatars, files, frames and the reference, whatever draws them; `effigy-wgsl`
+//! the shaders in WGSL; this package draws, on Vulkan ([`vulkan`]) and WebGPU. The viewer, measuring, learning and the command line
 //! are packages above it.
 
 mod hash;
@@ -100,17 +99,15 @@ pub mod quirks;
 pub mod vulkan;
 #[cfg(any(feature = "webgpu", target_arch = "wasm32"))]
 pub mod webgpu;
-#[doc(hidden)]
-pub mod wgsl;
+
+#[cfg(any(feature = "webgpu", target_arch = "wasm32"))]
+use effigy_wgsl as wgsl;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use effigy_core::reference;
 pub use effigy_core::{
     avatar::{Avatar, Clip, Pose, Skeleton, motion::Player},
-    frame::{
-        ColorFormat, FrameReport, KeyBits, RasterMethod, RendererOptions, Schedule, Skip,
-        SortVariant, preset::Preset,
-    },
+    frame::{ColorFormat, FrameReport, RasterMethod, RendererOptions, Schedule, Skip, SortVariant},
     glam,
     io::file::{FileError, FormatError},
     scene::{AvatarBounds, Camera, Detail, FrameImage, Framing, Posed},

@@ -40,5 +40,7 @@ uint project_gaussian(uint index) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    write_key(index, index < frame.drawn ? project_gaussian(index) : SORT_CULLED);
+    if (index < frame.drawn) {
+        write_key(index, project_gaussian(index));
+    }
 }

@@ -1,9 +1,7 @@
 // From a Gaussian in the camera's space to a splat and its key: culling and projection (model.md,
 // step 8). The including shader declares `words`, the splats' buffer: four words a Gaussian, then
-// from frame.key_start on the keys, two a word with HALF_KEYS, then from frame.count_start on the
-// sort's first counts.
+// from frame.key_start on the keys, then from frame.count_start on the sort's first counts.
 #ifdef WEB
-const bool HALF_KEYS = true;
 // In WGSL all accesses to an array with atomics are atomic, so the counts have a buffer of their
 // own.
 layout(std430, set = 0, binding = 6) buffer Counts { uint counts[]; };
@@ -12,15 +10,12 @@ const uint COUNTS_AT = 0u;
 #else
 #define COUNTS words
 PARAMETER(2, uint, COUNTS_AT, 0u)
-PARAMETER(3, bool, HALF_KEYS, false)
 #endif
 #define FIRST_COUNTS COUNTS
 #define FIRST_COUNTS_AT frame.count_start
 #define FIRST_COUNTS_TILE frame.count_tile
 #include "sort/first_counts.glsl"
 #include "project/culled.glsl"
-
-shared uint workgroup_keys[PROJECT_WORKGROUP];
 
 // Projects a mean `p` in camera space, metres: gives its centre in the image, px, and its key, 0 to
 // 1. False if the Gaussian is culled. Comparisons are written so that NaN fails them.
@@ -113,22 +108,9 @@ uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axe
     return min(uint(key * float(frame.key_max)), frame.key_max);
 }
 
-// Writes and counts a workgroup's keys. Every invocation of the workgroup must call it.
+// Writes and counts a key.
 void write_key(uint index, uint key) {
-    uint invocation = gl_LocalInvocationID.x;
     uint at = frame.first_splat + index;
     count_first_digit(key, key != SORT_CULLED, at);
-    if (!HALF_KEYS) {
-        // Padded to an even number: the two keys of a word belong to one avatar.
-        if (index < frame.drawn + (frame.drawn & 1u)) {
-            words[frame.key_start + at] = key;
-        }
-        return;
-    }
-    workgroup_keys[invocation] = key;
-    barrier();
-    if ((invocation & 1u) == 0u && index < frame.drawn) {
-        words[frame.key_start + (at >> 1u)] =
-            key & 0xffffu | workgroup_keys[invocation + 1u] << 16u;
-    }
+    words[frame.key_start + at] = key;
 }

@@ -11,24 +11,33 @@
 #include "common/control.glsl"
 
 const uint KEYS = 0u, PAIRS = 1u, PACKED = 2u, VALUES = 3u, HALVES = 4u;
-PARAMETER(0, uint, PASS, 0u)
-PARAMETER(1, uint, READS, KEYS)
-PARAMETER(2, uint, WRITES, VALUES)
+#ifdef WEB
+// WebGPU too chooses these when it makes a pipeline; what is computed from them is not a constant
+// then, since naga can't translate it.
+#define CHOSEN(id, name, initial) \
+    layout(constant_id = id) const uint name##_OF_PASS = initial; \
+    uint name = name##_OF_PASS;
+#else
+#define CHOSEN(id, name, initial) PARAMETER(id, uint, name, initial)
+#endif
+CHOSEN(0, PASS, 0u)
+CHOSEN(1, READS, KEYS)
+CHOSEN(2, WRITES, VALUES)
 // Keys of a tile; tiles and keys for which there is capacity.
 PARAMETER(3, uint, TILE, 2048u)
 PARAMETER(4, uint, TILES, 1u)
 PARAMETER(5, uint, CAPACITY, 1u)
 // Whether `scan` has turned the histograms into offsets.
 PARAMETER(6, bool, SCANNED, false)
-
 // Bits of the value in the form PACKED.
-PARAMETER(9, uint, VALUE_BITS, 24u)
-#ifdef WEB
-const uint VALUE_BITS = 24u;
-#endif
+CHOSEN(9, VALUE_BITS, 24u)
 
-const bool FIRST = READS == KEYS || READS == HALVES;
-const uint SHIFT = 8u * PASS;
+// The first pass reads keys. WebGPU has two modules of a kernel that writes the control then, since
+// a barrier must not depend on a buffer that is written.
+#ifndef FIRST
+DERIVED bool FIRST = READS == KEYS || READS == HALVES;
+#endif
+DERIVED uint SHIFT = 8u * PASS;
 const uint DIGIT_MASK = SORT_DIGITS - 1u;
 DERIVED uint VALUE_MASK = (1u << VALUE_BITS) - 1u;
 

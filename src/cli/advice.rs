@@ -108,7 +108,6 @@ fn for_webgpu(error: &webgpu::Error) -> Option<&'static str> {
         E::Unsupported { .. } => Some(NO_TRIANGLES),
         E::TooLarge { .. } => Some(SMALLER_AVATAR),
         E::ImageSize { .. } => Some("choose another size with --size"),
-        E::KeyBits(_) => Some("leave out --keys, or draw with --backend vulkan"),
         E::Sort => Some("leave out --sort, or draw with --backend vulkan"),
         E::CooperativeTiles => Some("write --raster tiles-shared, or draw with --backend vulkan"),
         _ => None,

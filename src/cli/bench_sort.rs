@@ -2,11 +2,12 @@
 //! the CPU first.
 
 use crate::{
-    options::{self, DeviceArgs, KeysArg, SortArg},
+    options::{self, DeviceArgs, SortArg},
     output::{JSON, Output},
     progress,
 };
 use anyhow::ensure;
+use clap::ValueEnum;
 use effigy::vulkan::{
     Gpu,
     sort::{
@@ -18,7 +19,7 @@ use effigy::vulkan::{
 use effigy_core::random::hash;
 use effigy_measure::{
     WARM_UP,
-    report::{DeviceReport, Program, bits_of_keys},
+    report::{DeviceReport, Program},
     sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name},
 };
 use std::{
@@ -62,6 +63,30 @@ pub struct Args {
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
     json: Option<Output>,
+}
+
+/// [`KeyBits`] as an argument.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum KeysArg {
+    /// Two sort passes; depth steps of about 30 µm
+    #[value(name = "16")]
+    Bits16,
+    /// Three sort passes; depth steps under 1 µm
+    #[value(name = "22", alias = "24")]
+    Bits22,
+    /// Four sort passes; the finest steps
+    #[value(name = "32")]
+    Bits32,
+}
+
+impl From<KeysArg> for KeyBits {
+    fn from(keys: KeysArg) -> Self {
+        match keys {
+            KeysArg::Bits16 => Self::Sixteen,
+            KeysArg::Bits22 => Self::TwentyTwo,
+            KeysArg::Bits32 => Self::ThirtyTwo,
+        }
+    }
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -189,7 +214,7 @@ fn measure_all(
         let unsorted = keys(count);
         for (&bits, took) in args.keys.iter().zip(&mut took) {
             let bits = KeyBits::from(bits);
-            let name = format!("{count} keys of {} bits", bits_of_keys(bits));
+            let name = format!("{count} keys of {} bits", bits.bits());
             let warm_up = WARM_UP * contenders.len() as u32;
             if bar.elapsed() + warm_up + 4 * took.saturating_sub(warm_up) > limit {
                 bar.finish_and_clear();
@@ -205,7 +230,7 @@ fn measure_all(
                 keys: unsorted.clone(),
                 bits,
             };
-            let mut line = format!("{count:>9} {:>4}", bits_of_keys(bits));
+            let mut line = format!("{count:>9} {:>4}", bits.bits());
             for contender in contenders {
                 bar.set_message(format!("{name}, {}", contender.name()));
                 let row = row(gpu, &sorted, contender, args.runs);
@@ -250,7 +275,7 @@ fn row(gpu: &Arc<Gpu>, keys: &Keys, contender: &Contender, runs: u16) -> SortRow
     };
     SortRow {
         keys: count,
-        bits: bits_of_keys(keys.bits),
+        bits: keys.bits.bits(),
         variant: contender.variant.name().to_owned(),
         subgroup: contender.subgroup,
         speed,

@@ -27,6 +27,19 @@ const GONE: &[Gone] = &[
         instead: "`--raster tiles-cooperative` is as fast or faster on every CPU driver",
     },
     Gone {
+        written: "--preset",
+        instead: "the default draws as `high` did; `--exact` draws as `exact`; for `low` and `balanced` \
+                  write `--cutoff 4 --detail auto` and `--cutoff 2`",
+    },
+    Gone {
+        written: "--color",
+        instead: "leave it out: quads store 16-bit floats, tiles 8 bits a channel, or floats with --exact",
+    },
+    Gone {
+        written: "--keys",
+        instead: "leave it out: depth keys have 22 bits, whose steps are under 1 µm for a person",
+    },
+    Gone {
         written: "--words",
         instead: "leave it out: f16 is read as words on every device, at the same speed",
     },

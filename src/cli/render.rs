@@ -139,10 +139,6 @@ impl<'a> ImageRenderer<'a> {
             Backend::WebGpu => {
                 let gpu = webgpu::Gpu::open(gpu.device.as_deref())?;
                 println!("drawing with {} through WebGPU", gpu.name());
-                let options = match args.quality.keys {
-                    Some(_) => options,
-                    None => webgpu::options::within_reach(options),
-                };
                 Self::WebGpu {
                     renderer: Box::new(webgpu::Renderer::new(&gpu, avatar, options)?),
                     size: image_size,

@@ -13,8 +13,7 @@ fn parse(arguments: &str) -> Result<String, clap::Error> {
 }
 
 /// Old spellings, each with the new one. CHANGELOG.md lists them.
-const OLD: [(&str, &str); 15] = [
-    ("bench --keys 24", "bench --keys 22"),
+const OLD: [(&str, &str); 14] = [
     ("view --raster hulls", "view --raster quads"),
     ("render --least", "render --baseline"),
     ("render --sort selfscan", "render --sort reduce-then-scan"),

@@ -16,7 +16,7 @@ use effigy::vulkan::{RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Layer},
     frame::{
-        Skip, SortVariant,
+        DEPTH_KEYS, Skip, SortVariant,
         passes::{ListForm, Stage},
         schedule::Equipment,
     },
@@ -288,7 +288,7 @@ pub fn work_per_stage(
     if avatar.sh.is_some() {
         stages.push(view_colors(avatar, counts));
     }
-    stages.push(project(avatar, options, counts));
+    stages.push(project(avatar, counts));
     stages.push(sort(options, counts));
     // Options that are not resolved decide no lists.
     if let Some(method) = options.method {
@@ -436,7 +436,7 @@ impl RowArrays {
 }
 
 /// Skinning, projection and culling; also from the pose cache.
-fn project(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> StageWork {
+fn project(avatar: &Avatar, counts: WorkCounts) -> StageWork {
     let gaussians = counts.gaussians;
     let drawn = counts.drawn.min(gaussians);
     // A drawn key adds one to a count of the sort's first pass: a read and a write. At the minimum
@@ -446,7 +446,7 @@ fn project(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> St
         minimum: 2,
     };
     let keys = Amount {
-        stored: options.keys().bytes(gaussians),
+        stored: DEPTH_KEYS.bytes(gaussians),
         minimum: 0,
     };
     let handed_on = (SPLAT + counting) * drawn + keys;
@@ -476,7 +476,7 @@ fn project(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> St
 const SORT_VALUE: u64 = WORD;
 
 fn sort(options: &RendererOptions, counts: WorkCounts) -> StageWork {
-    let passes = u64::from(options.keys().passes());
+    let passes = u64::from(DEPTH_KEYS.passes());
     let bytes = Amount {
         stored: stored_sort_bytes(options, counts, passes),
         minimum: minimum_sort_bytes(counts.drawn, passes),
@@ -495,15 +495,9 @@ fn stored_sort_bytes(options: &RendererOptions, counts: WorkCounts, passes: u64)
         .map(|&variant| counter_bytes(variant, counts.gaussians, passes));
     // An entry of a later pass is read twice, to count and to scatter, and was written once. The
     // first pass reads the keys of culled Gaussians too.
-    let bits = options.keys();
+    let bits = DEPTH_KEYS;
     let count = u32::try_from(counts.gaussians).unwrap_or(u32::MAX);
-    let entry = |pass: u32| {
-        if bits.packs_before(pass, count) {
-            WORD
-        } else {
-            WORD + SORT_VALUE
-        }
-    };
+    let entry = |pass| bits.form_before(pass, count).bytes();
     let later_passes: u64 = (1..bits.passes()).map(|pass| 3 * entry(pass)).sum();
     counters.max().unwrap_or_default()
         + bits.bytes(counts.gaussians)
@@ -583,7 +577,7 @@ fn raster(options: &RendererOptions, counts: WorkCounts) -> StageWork {
     let [width, height] = options.size.map(u64::from);
     let redrawn = counts.rastered.or(counts.damaged).unwrap_or(width * height);
     let covered = counts.covered.unwrap_or(redrawn).min(redrawn);
-    let pixel = options.color.unwrap_or_default().bytes() as u64;
+    let pixel = options.color().bytes() as u64;
     let splats = (SPLAT_INDEX + SPLAT) * counts.drawn;
     let by_tiles = options.method.is_some_and(RasterMethod::is_tiles);
     // Quads are blended over an image that was cleared. Each tile reads its own splats, and an
@@ -611,14 +605,13 @@ fn resolve(options: &RendererOptions, counts: WorkCounts, counted: ResolveCounts
         stored: averaged + 2 * resolved,
         minimum: share(averaged, covered, resolved) + covered,
     };
-    let pixel = options.color.unwrap_or_default().bytes() as u64;
+    let pixel = options.color().bytes() as u64;
     StageWork::moving(Stage::Resolve, pixels * pixel)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use effigy::vulkan::sort::KeyBits;
     use effigy_core::{avatar::ShCoefficients, io::pack::PackStep};
     use half::f16;
 
@@ -630,9 +623,9 @@ mod tests {
     fn no_minimum_is_above_the_stored_amount() {
         let avatar = demo();
         let gaussians = avatar.gaussians.len() as u64;
-        for key_bits in [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo] {
+        for exact in [false, true] {
             let options = RendererOptions {
-                key_bits: Some(key_bits),
+                exact,
                 ..RendererOptions::new([256, 256])
             };
             for drawn in [0, gaussians / 2, gaussians] {
@@ -715,7 +708,7 @@ mod tests {
             }),
             ..own
         };
-        let pixel = options.color.unwrap_or_default().bytes() as u64;
+        let pixel = options.color().bytes() as u64;
         assert_eq!(bytes(enlarged, Stage::Resolve), (3600 + 2 * 400) * pixel);
         assert_eq!(bytes(own, Stage::Resolve), 0);
         assert_eq!(
@@ -768,37 +761,30 @@ mod tests {
     }
 
     #[test]
-    fn another_sort_pass_costs_the_bytes_that_it_moves() {
+    fn a_sort_costs_the_bytes_that_it_moves() {
         let counts = WorkCounts {
             gaussians: 1000,
             drawn: 1000,
             ..WorkCounts::default()
         };
-        let work = |key_bits, variant| {
+        let work = |variant| {
             let options = RendererOptions {
-                key_bits: Some(key_bits),
                 sort: Some(variant),
                 ..RendererOptions::new([1, 1])
             };
             sort(&options, counts)
         };
-        let two = work(KeyBits::Sixteen, SortVariant::ReduceThenScan);
-        let three = work(KeyBits::TwentyTwo, SortVariant::ReduceThenScan);
-        // Two keys a word and one pass between words; a key a word, and two between words.
-        let counters = |passes| 3 * 4 * u64::from(SORT_DIGITS) * passes;
-        let expected = [
-            (2 + 3 * 4 + 4) * 1000 + counters(2),
-            (4 + 3 * 4 + 3 * 4 + 4) * 1000 + counters(3),
-        ];
-        assert_eq!([two.bytes, three.bytes], expected);
-        // 2 in, 1 + 4 out, 1 + 4 in, 4 out; then 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4
-        // out.
-        assert_eq!([two.bytes_floor, three.bytes_floor], [16 * 1000, 29 * 1000]);
-        // Threads' counters are written by the first pass, and written and read by the second.
-        let per_thread = work(KeyBits::Sixteen, SortVariant::PerThread);
+        let sorted = work(SortVariant::ReduceThenScan);
+        // A key a word, and two passes between words.
+        let counters = 3 * 4 * u64::from(SORT_DIGITS) * 3;
+        assert_eq!(sorted.bytes, (4 + 3 * 4 + 3 * 4 + 4) * 1000 + counters);
+        // 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4 out.
+        assert_eq!(sorted.bytes_floor, 29 * 1000);
+        // Threads' counters are written by the first pass, and written and read by the others.
+        let per_thread = work(SortVariant::PerThread);
         assert_eq!(
-            per_thread.bytes - two.bytes,
-            4 * u64::from(SORT_DIGITS * SORT_RUNS) * 3
+            per_thread.bytes - sorted.bytes,
+            4 * u64::from(SORT_DIGITS * SORT_RUNS) * 5
         );
     }
 }

@@ -7,7 +7,7 @@ use crate::{error::ErrorMetrics, setting::RenderSetting};
 use effigy::vulkan::Gpu;
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    frame::{KeyBits, RendererOptions, Skip},
+    frame::{RendererOptions, Skip},
     scene::Detail,
 };
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
@@ -119,8 +119,6 @@ pub struct OptionsReport {
     /// `quads` or `tiles`. Empty in reports from before there was a choice.
     #[serde(default)]
     pub raster: String,
-    /// Bits of the depth keys.
-    pub key_bits: u32,
     /// Work that may be skipped, as `--skip` names it.
     #[serde(deserialize_with = "skip_names")]
     pub skip: String,
@@ -168,9 +166,8 @@ impl OptionsReport {
     pub fn new(setting: &RenderSetting) -> Self {
         let options = &setting.options;
         Self {
-            color: format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
+            color: format!("{:?}", options.color()).to_lowercase(),
             raster: raster_name(options),
-            key_bits: bits_of_keys(options.keys()),
             skip: options.skip.to_string(),
             cutoff: options.cutoff,
             detail: options.detail.to_string(),
@@ -188,11 +185,6 @@ fn raster_name(options: &RendererOptions) -> String {
     options
         .method
         .map_or_else(String::new, |method| method.name().to_owned())
-}
-
-/// Bits of a depth key.
-pub fn bits_of_keys(bits: KeyBits) -> u32 {
-    bits.bits()
 }
 
 /// The worst error of the frames that were compared with the reference, each number by itself.
@@ -441,7 +433,6 @@ pub(crate) mod tests {
         OptionsReport {
             color: "rgba16f".into(),
             raster: "quads".into(),
-            key_bits: 16,
             skip: "none".into(),
             cutoff: 1.0 / 255.0,
             detail: "full".into(),

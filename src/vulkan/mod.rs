@@ -40,7 +40,7 @@ pub use device::{
     Error, Gpu, GpuOptions, Result, cache, error::During, handle::CommandPool, instance,
     moment::Moment, probe, probe::Probe, recording::Recording, trial,
 };
-pub use effigy_core::frame::{FrameReport, RendererOptions, preset};
+pub use effigy_core::frame::{FrameReport, RendererOptions};
 pub use pipeline::shaders;
 pub use raster::download::Copied;
 pub use renderer::{PreparedAvatar, Presentation, Renderer, Stages};

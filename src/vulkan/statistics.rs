@@ -7,7 +7,7 @@ pub use super::device::statistics::{Executable, Statistic, Value};
 use super::{
     device::{Error, Gpu, GpuOptions, Result},
     memory::Buffer,
-    raster::{ColorFormat, RasterMethod, resolve::Resolve},
+    raster::{RasterMethod, resolve::Resolve},
     renderer::Renderer,
     sort::{KeyBits, Sort, SortOptions, SortVariant, unsupported},
     window::present::Present,
@@ -54,29 +54,34 @@ fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
         sort: any,
         ..RendererOptions::new([64, 64])
     };
-    for color in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
-        for skip in [Skip::all(), Skip::empty()] {
-            let quads = RendererOptions {
-                color: Some(color),
-                skip,
-                method: Some(RasterMethod::Quads),
-                ..options
-            };
-            let renderer = Renderer::new(gpu, avatar, quads)?;
-            Resolve::new(gpu, renderer.raster().image(), color)?;
-        }
-        // Not every device can run every kernel.
-        let able = |method: &RasterMethod| gpu.probe.lacks_for(*method).is_none();
-        let tiles = RasterMethod::ALL
-            .into_iter()
-            .filter(|method| method.is_tiles());
-        for method in tiles.filter(able) {
+    let resolve = |renderer: &Renderer| {
+        let raster = renderer.raster();
+        Resolve::new(gpu, raster.image(), raster.format())
+    };
+    for skip in [Skip::all(), Skip::empty()] {
+        let quads = RendererOptions {
+            skip,
+            method: Some(RasterMethod::Quads),
+            ..options
+        };
+        resolve(&Renderer::new(gpu, avatar, quads)?)?;
+    }
+    // Not every device can run every kernel.
+    let able = |method: &RasterMethod| gpu.probe.lacks_for(*method).is_none();
+    let tiles = RasterMethod::ALL
+        .into_iter()
+        .filter(|method| method.is_tiles());
+    for method in tiles.filter(able) {
+        for exact in [false, true] {
             let tiles = RendererOptions {
-                color: Some(color),
                 method: Some(method),
+                exact,
                 ..options
             };
-            Renderer::new(gpu, avatar, tiles)?;
+            let renderer = Renderer::new(gpu, avatar, tiles)?;
+            if !exact {
+                resolve(&renderer)?;
+            }
         }
     }
     let mut in_bytes = avatar.clone();

@@ -468,9 +468,8 @@ impl AvatarCanvas {
     /// Options, in the form of the reports of `effigy bench`.
     fn describe_options(options: &RendererOptions) -> serde_json::Value {
         serde_json::json!({
-            "color": format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
+            "color": format!("{:?}", options.color()).to_lowercase(),
             "raster": options.method.map_or("", |method| method.name()),
-            "key_bits": options.keys().bits(),
             "skip": options.skip.to_string(),
             "cutoff": options.cutoff,
             "detail": options.detail.to_string(),

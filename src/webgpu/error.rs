@@ -48,9 +48,6 @@ pub enum Error {
         /// The fault of its driver.
         missing: &'static str,
     },
-    /// The options ask for sort keys of more than 16 bits.
-    #[error("the WebGPU backend sorts keys of 16 bits, not of {0}")]
-    KeyBits(u32),
     /// The options ask for [`SortVariant::OneSweep`](effigy_core::frame::SortVariant::OneSweep).
     #[error("the WebGPU backend has no OneSweep, which needs subgroups")]
     Sort,

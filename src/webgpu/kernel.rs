@@ -273,11 +273,26 @@ pub struct Kernel {
     layout: wgpu::PipelineLayout,
     shader: &'static WgslModule,
     source: String,
+    /// Ids and values of the module's specialization constants.
+    constants: Vec<(&'static str, f64)>,
 }
 
 impl Kernel {
     pub fn new(gpu: &Gpu, shader: &'static WgslModule, bound: &[(u32, Bound)]) -> Self {
-        let new = Self::when_needed(gpu, shader, bound);
+        Self::specialized(gpu, shader, bound, Vec::new())
+    }
+
+    /// `constants`: ids and values of the module's specialization constants.
+    pub fn specialized(
+        gpu: &Gpu,
+        shader: &'static WgslModule,
+        bound: &[(u32, Bound)],
+        constants: Vec<(&'static str, f64)>,
+    ) -> Self {
+        let new = Self {
+            constants,
+            ..Self::when_needed(gpu, shader, bound)
+        };
         new.pipeline();
         new
     }
@@ -292,6 +307,7 @@ impl Kernel {
             device: gpu.device.clone(),
             shader,
             source: source(shader, bound),
+            constants: Vec::new(),
         }
     }
 
@@ -315,8 +331,8 @@ impl Kernel {
                     module: &create_module(&self.device, self.shader.name, &self.source),
                     entry_point: None,
                     compilation_options: wgpu::PipelineCompilationOptions {
+                        constants: &self.constants,
                         zero_initialize_workgroup_memory: false,
-                        ..Default::default()
                     },
                     cache: None,
                 })

@@ -8,7 +8,7 @@ use super::{
 use crate::quirks::draws_triangles;
 use effigy_core::{
     avatar::Avatar,
-    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, room::Room},
+    frame::{RasterMethod, RendererOptions, Skip, SortVariant, room::Room},
     scene::{AvatarBounds, Supersampling},
 };
 
@@ -43,8 +43,6 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     });
     RendererOptions {
         method: Some(method),
-        color: Some(options.color.unwrap_or(method.color())),
-        key_bits: Some(options.key_bits.unwrap_or(KeyBits::Sixteen)),
         sort: Some(sort),
         supersampling: if draws_triangles {
             options.supersampling
@@ -56,23 +54,12 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     }
 }
 
-/// Options that a preset made, with keys of as many bits as this backend sorts by.
-pub fn within_reach(options: RendererOptions) -> RendererOptions {
-    RendererOptions {
-        key_bits: options.key_bits.map(|_| KeyBits::Sixteen),
-        ..options
-    }
-}
-
 /// Resolved options for an avatar.
 ///
 /// # Errors
 /// When this backend can't draw with them.
 pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<RendererOptions> {
     options.check()?;
-    if let Some(bits) = options.key_bits.filter(|bits| *bits != KeyBits::Sixteen) {
-        return Err(Error::KeyBits(bits.bits()));
-    }
     if options.sort == Some(SortVariant::OneSweep) {
         return Err(Error::Sort);
     }

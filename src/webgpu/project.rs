@@ -12,7 +12,7 @@ use super::{
 };
 use crate::wgsl;
 use effigy_core::{
-    frame::{KeyBits, RendererOptions, Skinning, Skip, room::Room},
+    frame::{DEPTH_KEYS, RendererOptions, Skinning, Skip, room::Room},
     layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
 };
 
@@ -55,7 +55,7 @@ impl Project {
         let capacity = room.gaussians;
         // Whether frames in which only the camera moves use the pose cache.
         let caches = options.skip.contains(Skip::SKINNING);
-        let keys = KeyBits::Sixteen.bytes(u64::from(capacity));
+        let keys = DEPTH_KEYS.bytes(u64::from(capacity));
         let posed = (key_offset(capacity) + keys).next_multiple_of(256);
         let size = posed
             + if caches {
@@ -119,7 +119,6 @@ impl Project {
     /// Writes to a frame's block where the buffers of all avatars start.
     pub fn fill(&self, block: &mut FrameBlock) {
         block.key_start = (key_offset(self.capacity) / 4) as u32;
-        block.half_keys = 1;
         block.count_start = (COUNTS_AT / 4) as u32;
     }
 
@@ -133,7 +132,7 @@ impl Project {
         Slice {
             buffer: &self.buffer,
             offset: key_offset(self.capacity),
-            size: KeyBits::Sixteen.bytes(u64::from(self.capacity)).max(4),
+            size: DEPTH_KEYS.bytes(u64::from(self.capacity)).max(4),
         }
     }
 

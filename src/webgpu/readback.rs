@@ -5,7 +5,7 @@ use super::{
     buffer, download, error::Result, frame_in_flight::FRAMES_IN_FLIGHT, renderer::Renderer,
 };
 use effigy_core::{
-    layout::{BinLists, Control, widened_key},
+    layout::{BinLists, Control},
     scene::FrameImage,
 };
 use half::f16;
@@ -92,7 +92,7 @@ impl Renderer {
         );
         let count = control.key_count as usize;
         let splats = download(self.project.all())?;
-        let keys: Vec<u16> = bytemuck::pod_collect_to_vec(&download(self.project.keys())?);
+        let keys = download(self.project.keys())?;
         let order = download(self.sort.order())?;
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
@@ -103,7 +103,7 @@ impl Renderer {
                 .map(|&place| nodes[usize::from(place)].map(f16::to_f32))
                 .collect(),
             splats: bytemuck::pod_collect_to_vec(&splats[..16 * count]),
-            keys: keys[..count].iter().map(|&key| widened_key(key)).collect(),
+            keys: bytemuck::pod_collect_to_vec(&keys[..4 * count]),
             order: bytemuck::pod_collect_to_vec(&order[..4 * control.visible_count as usize]),
             control,
         })

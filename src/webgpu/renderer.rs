@@ -21,7 +21,7 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Stage,
+        Counters, DEPTH_KEYS, Damage, FrameReport, RendererOptions, Schedule, Skinning, Stage,
         block::{self, PoseLayout},
         passes::Target,
         pose_cache::PoseCache,
@@ -119,6 +119,7 @@ impl Renderer {
         let blocks = Blocks::new(gpu, options.instances)?;
         let project = Project::new(gpu, &model, &blocks, &pose, &options, room)?;
         let sort_inputs = SortInputs {
+            bits: DEPTH_KEYS,
             keys: project.keys(),
             counts: project.counts(),
             control: (&control).into(),
@@ -126,7 +127,7 @@ impl Renderer {
             counted: true,
         };
         let variant = sort::variant(&options);
-        let sort = Sort::new(gpu, blocks.settings(), sort_inputs, variant)?;
+        let sort = Sort::new(gpu, blocks.settings(), &sort_inputs, variant)?;
         let inputs = raster_inputs(&project, &sort, &control);
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;
         let mlp = Mlp::new(gpu, &model, &blocks, &pose);

@@ -1,7 +1,6 @@
-//! The `sort` stage: a stable radix sort of 16-bit keys in two passes, lowest first, without
-//! subgroups: each workgroup sums the histograms of the tiles before its own; on CPU drivers each
-//! invocation has a run of keys to itself. Keys go in; the order comes out, and the number of
-//! visible splats in the control.
+//! The `sort` stage: a stable radix sort, lowest digit first, without subgroups: each workgroup sums
+//! the histograms of the tiles before its own; on CPU drivers each invocation has a run of keys to
+//! itself. Keys go in; the order comes out, and the number of visible splats in the control.
 
 use super::{
     buffer::{STORAGE, Slice, empty},
@@ -10,14 +9,14 @@ use super::{
     kernel::{Bound, Kernel},
     owned::Buffer,
 };
-use crate::wgsl;
+use crate::wgsl::{self, WgslModule};
 use effigy_core::{
-    frame::{RendererOptions, SortVariant},
+    frame::{EntryForm, KeyBits, RendererOptions, SortVariant},
     layout::{MAX_SUMMED_TILES, SORT_DIGITS, SORT_GROUP, SORT_TILE, SettingsBlock},
 };
 
-/// The most keys of a sort: entries of the last pass hold a value in 24 bits.
-pub const MAX_KEYS: u32 = 1 << 24;
+/// The most keys of a sort: those of as many workgroups as a WebGPU device always dispatches.
+pub const MAX_KEYS: u32 = 65_535 * SORT_TILE;
 
 fn tiles(capacity: u32) -> u32 {
     capacity.div_ceil(SORT_TILE).max(1)
@@ -44,7 +43,9 @@ pub fn first_counts_size(capacity: u32) -> u64 {
 
 /// Buffers that a sort reads and writes.
 pub struct SortInputs<'a> {
-    /// Keys of 16 bits, two a word.
+    /// Keys of so many bits.
+    pub bits: KeyBits,
+    /// The keys.
     pub keys: Slice<'a>,
     /// Counts of the keys' lowest digits, and room for more: [`counts_size`].
     pub counts: Slice<'a>,
@@ -57,20 +58,23 @@ pub struct SortInputs<'a> {
     pub counted: bool,
 }
 
+/// The kernels of a pass.
+struct SortPass {
+    /// None where the keys come counted.
+    count: Option<Kernel>,
+    scan: Option<[Kernel; 2]>,
+    scatter: Kernel,
+}
+
 /// The kernels of the sort, and the buffers that they write.
 pub struct Sort {
-    /// None where the keys come counted.
-    first_count: Option<Kernel>,
-    first_scan: Option<[Kernel; 2]>,
-    first: Kernel,
-    last_count: Kernel,
-    last_scan: Option<[Kernel; 2]>,
-    last: Kernel,
+    passes: Vec<SortPass>,
     tiles: u32,
     capacity: u32,
-    order: Buffer,
-    /// Entries between the passes.
-    _between: Buffer,
+    /// What passes write in turn: entries, and then the order.
+    in_turn: [Buffer; 2],
+    /// Which of those has the order.
+    last: usize,
 }
 
 impl Sort {
@@ -78,99 +82,26 @@ impl Sort {
     pub fn new(
         gpu: &Gpu,
         settings: (u32, Bound),
-        inputs: SortInputs,
+        inputs: &SortInputs,
         variant: SortVariant,
     ) -> Result<Self> {
-        let SortInputs {
-            keys,
-            counts,
-            control,
-            capacity,
-            counted,
-        } = inputs;
-        let between = empty(gpu, "sort entries", 4 * u64::from(capacity), STORAGE)?;
-        let order = empty(gpu, "order", 4 * u64::from(capacity), STORAGE)?;
-        let entries = Slice::from(&between);
-        let read = Bound::Read;
-        let write = Bound::Write;
-        let kernel = |module, bound: &[(u32, Bound)]| {
-            Kernel::new(gpu, module, &[bound, &[settings]].concat())
-        };
-        let scanned = tiles(capacity) > MAX_SUMMED_TILES;
-        let per_thread = variant == SortVariant::PerThread;
-        let moved = if per_thread {
-            write(counts)
-        } else {
-            read(counts)
-        };
-        let [first, last_count, last] = if per_thread {
-            [
-                &wgsl::SORT_PER_THREAD_SCATTER_FIRST,
-                &wgsl::SORT_PER_THREAD_COUNT_LAST,
-                &wgsl::SORT_PER_THREAD_SCATTER_LAST,
-            ]
-        } else {
-            [
-                &wgsl::SORT_SCATTER_FIRST,
-                &wgsl::SORT_COUNT_LAST,
-                &wgsl::SORT_SCATTER_LAST,
-            ]
-        };
-        let first_count = || {
-            let bound = [(1, read(keys)), (2, write(counts)), (3, read(control))];
-            kernel(&wgsl::SORT_COUNT_FIRST, &bound)
-        };
-        let first_scan = || {
-            [
-                kernel(&wgsl::SORT_REDUCE_FIRST, &[(2, write(counts))]),
-                kernel(
-                    &wgsl::SORT_SCAN_FIRST,
-                    &[(2, write(counts)), (3, write(control))],
-                ),
-            ]
-        };
-        let last_scan = || {
-            [
-                kernel(
-                    &wgsl::SORT_REDUCE_LAST,
-                    &[(2, write(counts)), (3, read(control))],
-                ),
-                kernel(
-                    &wgsl::SORT_SCAN_LAST,
-                    &[(2, write(counts)), (3, read(control))],
-                ),
-            ]
-        };
+        let SortInputs { bits, capacity, .. } = *inputs;
+        let [first, second] = bits.written_in_turn(capacity);
+        let in_turn = [
+            empty(gpu, "sort entries", first, STORAGE)?,
+            empty(gpu, "sort entries", second, STORAGE)?,
+        ];
+        let passes = (0..bits.passes()).map(|pass| {
+            let entries = |pass: u32| Slice::from(&in_turn[pass as usize % 2]);
+            let from = pass.checked_sub(1).map_or(inputs.keys, entries);
+            sort_pass(gpu, settings, inputs, variant, pass, [from, entries(pass)])
+        });
         Ok(Self {
-            first_count: (!counted).then(first_count),
-            first_scan: scanned.then(first_scan),
-            first: kernel(
-                first,
-                &[
-                    (1, read(keys)),
-                    (2, moved),
-                    (3, write(control)),
-                    (4, write(entries)),
-                ],
-            ),
-            last_count: kernel(
-                last_count,
-                &[(1, read(entries)), (2, write(counts)), (3, read(control))],
-            ),
-            last_scan: scanned.then(last_scan),
-            last: kernel(
-                last,
-                &[
-                    (1, read(entries)),
-                    (2, moved),
-                    (3, read(control)),
-                    (4, write((&order).into())),
-                ],
-            ),
+            passes: passes.collect(),
             tiles: tiles(capacity),
             capacity,
-            order,
-            _between: between,
+            last: bits.last(),
+            in_turn,
         })
     }
 
@@ -178,35 +109,104 @@ impl Sort {
     pub fn fill(&self, settings: &mut SettingsBlock) {
         settings.sort_tiles = self.tiles;
         settings.key_capacity = self.capacity;
-        settings.scanned = u32::from(self.first_scan.is_some());
+        settings.scanned = u32::from(is_scanned(self.capacity));
     }
 
     /// The indices of the visible splats, lowest key first, equal keys in index order.
     pub fn order(&self) -> Slice<'_> {
-        (&self.order).into()
+        (&self.in_turn[self.last]).into()
     }
 
     pub fn dispatches(&self) -> usize {
-        3 + usize::from(self.first_count.is_some())
-            + 2 * usize::from(self.first_scan.is_some())
-            + 2 * usize::from(self.last_scan.is_some())
+        let of_pass = |pass: &SortPass| {
+            1 + usize::from(pass.count.is_some()) + 2 * usize::from(pass.scan.is_some())
+        };
+        self.passes.iter().map(of_pass).sum()
     }
 
     /// Sorts.
     pub fn record(&self, pass: &mut wgpu::ComputePass) {
         let tiles = [self.tiles, 1];
         let groups = [self.tiles.div_ceil(SORT_GROUP), 1];
-        if let Some(count) = &self.first_count {
-            count.dispatch(pass, 0, tiles);
+        for kernels in &self.passes {
+            if let Some(count) = &kernels.count {
+                count.dispatch(pass, 0, tiles);
+            }
+            for kernel in kernels.scan.iter().flatten() {
+                kernel.dispatch(pass, 0, groups);
+            }
+            kernels.scatter.dispatch(pass, 0, tiles);
         }
-        for kernel in self.first_scan.iter().flatten() {
-            kernel.dispatch(pass, 0, groups);
-        }
-        self.first.dispatch(pass, 0, tiles);
-        self.last_count.dispatch(pass, 0, tiles);
-        for kernel in self.last_scan.iter().flatten() {
-            kernel.dispatch(pass, 0, groups);
-        }
-        self.last.dispatch(pass, 0, tiles);
+    }
+}
+
+fn is_scanned(capacity: u32) -> bool {
+    tiles(capacity) > MAX_SUMMED_TILES
+}
+
+/// The kernels of a pass from the entries of the one buffer to those of the other.
+fn sort_pass(
+    gpu: &Gpu,
+    settings: (u32, Bound),
+    inputs: &SortInputs,
+    variant: SortVariant,
+    pass: u32,
+    [from, to]: [Slice; 2],
+) -> SortPass {
+    let SortInputs { bits, capacity, .. } = *inputs;
+    let [reads, writes] = [pass, pass + 1].map(|at| bits.form_before(at, capacity));
+    let is_first = matches!(reads, EntryForm::Keys | EntryForm::Halves);
+    // The ids of `shaders/sort/pass.glsl`.
+    let constants = [
+        ("0", f64::from(pass)),
+        ("1", f64::from(reads as u32)),
+        ("2", f64::from(writes as u32)),
+        ("9", f64::from(bits.value_bits(capacity))),
+    ];
+    let [read, write] = [Bound::Read, Bound::Write];
+    let kernel = |module: &'static WgslModule, bound: &[(u32, Bound)]| {
+        // The module has those alone that it uses.
+        let used = constants
+            .into_iter()
+            .filter(|(id, _)| module.wgsl.contains(&format!("@id({id}) ")));
+        Kernel::specialized(gpu, module, &[bound, &[settings]].concat(), used.collect())
+    };
+    let (entries, control) = ((1, read(from)), inputs.control);
+    let counts = [read, write].map(|access| (2, access(inputs.counts)));
+    let [known, counted] = [read, write].map(|access| (3, access(control)));
+    let sorted = (4, write(to));
+    // The first pass writes to the control how many there are.
+    let per_thread = variant == SortVariant::PerThread;
+    let (scan, scatter, control) = match (is_first, per_thread) {
+        (true, false) => (&wgsl::SORT_SCAN_FIRST, &wgsl::SORT_SCATTER_FIRST, counted),
+        (false, false) => (&wgsl::SORT_SCAN_LATER, &wgsl::SORT_SCATTER_LATER, known),
+        (true, true) => (
+            &wgsl::SORT_SCAN_FIRST,
+            &wgsl::SORT_PER_THREAD_SCATTER_FIRST,
+            counted,
+        ),
+        (false, true) => (
+            &wgsl::SORT_SCAN_LATER,
+            &wgsl::SORT_PER_THREAD_SCATTER_LATER,
+            known,
+        ),
+    };
+    let count = if per_thread {
+        &wgsl::SORT_PER_THREAD_COUNT
+    } else {
+        &wgsl::SORT_COUNT
+    };
+    SortPass {
+        count: (!is_first || !inputs.counted).then(|| kernel(count, &[entries, counts[1], known])),
+        scan: is_scanned(capacity).then(|| {
+            [
+                kernel(&wgsl::SORT_REDUCE, &[counts[1], known]),
+                kernel(scan, &[counts[1], control]),
+            ]
+        }),
+        scatter: kernel(
+            scatter,
+            &[entries, counts[usize::from(per_thread)], control, sorted],
+        ),
     }
 }

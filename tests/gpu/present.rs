@@ -3,10 +3,7 @@
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{
     FrameValidator, Offscreen, Presentation, Recording, Renderer, RendererOptions,
-    raster::{
-        ColorFormat,
-        RasterMethod::{self, CooperativeTiles, Quads},
-    },
+    raster::RasterMethod::{self, CooperativeTiles, Quads},
 };
 use effigy_core::{
     constants::ALPHA_MIN,
@@ -26,10 +23,10 @@ fn a_stretched_image_agrees_with_the_reference() {
     let size = [150, 190];
     let can = |method: &RasterMethod| device.probe.lacks_for(*method).is_none();
     for method in RasterMethod::ALL.into_iter().filter(can) {
-        for color in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
+        for exact in [false, true] {
             let options = RendererOptions {
                 method: Some(method),
-                color: Some(color),
+                exact,
                 ..gpu::options(size)
             };
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
@@ -60,7 +57,7 @@ fn a_stretched_image_agrees_with_the_reference() {
                 // Vulkan lets a device take either of the two nearest steps of 8 bits; where
                 // texels are mixed it has 8 bits of how near each is.
                 gpu::assert_close(
-                    &format!("{method:?} {color:?} {drawn:?}"),
+                    &format!("{method:?} {exact} {drawn:?}"),
                     &got,
                     &expected,
                     if drawn == size {

@@ -292,8 +292,12 @@ const LAYERS: &[Layers] = &[
         modules: &["body", "import", "exports"],
     },
     Layers {
+        package: "src/wgsl",
+        modules: &[],
+    },
+    Layers {
         package: "tools/shaders",
-        modules: &["wgsl"],
+        modules: &["translate"],
     },
 ];
 

@@ -283,7 +283,7 @@ fn a_sweep_draws_time_against_error() {
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
     let what = "small.avatar --motion small.motion --size 96x96 --frames 12 --check 1 --rounds 1";
-    let sweep = "--sweep preset,keys,rows,pose-rate --pareto front.svg --pareto front.png";
+    let sweep = "--sweep exact,cutoff,rows,pose-rate --pareto front.svg --pareto front.png";
     let said = works(
         folder.path(),
         &format!("bench {what} {sweep} --json - --csv out.csv"),
@@ -299,7 +299,7 @@ fn a_sweep_draws_time_against_error() {
             .unwrap_or(f64::INFINITY)
     };
     let best = psnr("default", "");
-    assert!(best > 45.0 && psnr("preset", "exact") > 45.0);
+    assert!(best > 45.0 && psnr("exact", "yes") > best);
     assert!(
         psnr("rows", "0") < best - 3.0,
         "correctives that are gone are missed by nobody"
@@ -317,7 +317,7 @@ fn a_sweep_draws_time_against_error() {
     );
     let svg = std::fs::read_to_string(folder.path().join("front.svg")).unwrap();
     assert!(
-        svg.contains("preset low") && svg.contains("keys 32"),
+        svg.contains("exact yes") && svg.contains("cutoff 8/255"),
         "names are missing"
     );
     assert_eq!(
@@ -458,10 +458,10 @@ fn bench_finds_the_worst_of_many_poses_and_views() {
         .map(|db| db.as_f64().unwrap_or(f64::INFINITY));
     assert!(worst > 40.0 && worst <= mean);
     assert_eq!(default["worst"]["clip"], "test clip 6");
-    // Colours that are rounded, contributions that are cut, fewer Gaussians: `low` shows.
-    let (_, low) = spread("--spread 3 --preset low");
+    // Contributions that are cut, fewer Gaussians: they show.
+    let (_, low) = spread("--spread 3 --cutoff 8 --detail 1/4");
     let low = low["worst"]["psnr_db"].as_f64().unwrap();
-    println!("worst of 6 views: {worst} dB, with the preset low {low} dB");
+    println!("worst of 6 views: {worst} dB, with fewer Gaussians {low} dB");
     assert!(low < worst - 1.0, "{low} dB, the default {worst}");
     let (said, none) = spread("--spread 0");
     assert!(none.is_null() && !said.contains("spread:"));
@@ -558,8 +558,8 @@ fn devices_lists_every_device_and_its_use() {
     assert_eq!(read_json(&folder.path().join("devices.json")), json);
 }
 
-/// What a backend can't do is not asked of it by a default or a preset. Vulkan draws the presets in
-/// the test of sweeps.
+/// What a backend can't do is not asked of it by a default or `--exact`, which Vulkan draws in the test
+/// of sweeps.
 fn each_backend_measures_and_draws_without_further_options() {
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
@@ -569,28 +569,24 @@ fn each_backend_measures_and_draws_without_further_options() {
         "bench --frames 4 --check 1 --spread 1 --json out.json",
         "render --out a.png",
     ];
-    let presets = [
-        "bench --preset exact --check 0 --spread 1 --frames 2",
-        "bench --sweep preset --frames 1 --check 1 --rounds 1",
-        "render --preset exact --out b.png",
+    let exact = [
+        "bench --exact --check 0 --spread 1 --frames 2",
+        "bench --sweep exact --frames 1 --check 1 --rounds 1",
+        "render --exact --out b.png",
     ];
-    for (backend, presets) in [("vulkan", &presets[..0]), ("webgpu", &presets)] {
-        for command in defaults.iter().chain(presets) {
-            let said = works(
+    for (backend, exact) in [("vulkan", &exact[..0]), ("webgpu", &exact)] {
+        for command in defaults.iter().chain(exact) {
+            works(
                 folder.path(),
                 &format!("{command} {what} --backend {backend}"),
             );
-            assert!(!said.contains("16 bits, not of"), "{command}: {said}");
         }
         let report = read_json(&folder.path().join("out.json"));
         assert!(report["spread"]["views"].as_u64() > Some(0), "{backend}");
         std::fs::remove_file(folder.path().join("out.json")).unwrap();
     }
-    let said = fails(
-        folder.path(),
-        &format!("render {what} --keys 32 --backend webgpu"),
-    );
-    assert!(said.contains("leave out --keys"), "{said}");
+    let said = fails(folder.path(), &format!("render {what} --keys 32"));
+    assert!(said.contains("leave it out: depth keys"), "{said}");
 }
 
 /// A budget of minutes leaves out what would take longer, and says what is left meanwhile.
@@ -634,7 +630,7 @@ fn what_is_killed_leaves_what_it_had_measured() {
             "copies",
         ),
         (
-            "bench --size 96x96 --frames 4 --check 1 --spread 0 --raster tiles-cooperative --color rgba8 \
+            "bench --size 96x96 --frames 4 --check 1 --spread 0 --raster tiles-cooperative \
              --sort per-thread \
              --case full,camera,orbit,expression,static,close,far,four --json",
             "cases",

@@ -73,8 +73,8 @@ frames-quads 60
 frames-tiles 60
 tests 150
 frames-cameras 30
-presets-quads 45
-presets-tiles 45
+exact-quads 45
+exact-tiles 45
 skips-quads 60
 soak 150
 '
@@ -101,8 +101,8 @@ do_step() { # NAME SECONDS
     frames-quads) bench quads --raster quads --case "$cases" ;;
     frames-tiles) bench tiles --raster tiles-shared --case "$cases" ;;
     frames-cameras) bench cameras --cameras "$here/data/cameras.json" --case full ;;
-    presets-quads) bench presets-quads --raster quads --sweep preset "${sweep[@]}" ;;
-    presets-tiles) bench presets-tiles --raster tiles-shared --sweep preset "${sweep[@]}" ;;
+    exact-quads) bench exact-quads --raster quads --sweep exact "${sweep[@]}" ;;
+    exact-tiles) bench exact-tiles --raster tiles-shared --sweep exact "${sweep[@]}" ;;
     skips-quads) bench skips-quads --raster quads --sweep skip-but "${sweep[@]}" ;;
     soak)
       # What is left once the device is open and the last frame is compared.

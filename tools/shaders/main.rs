@@ -1,22 +1,21 @@
-//! Compiles the GLSL in `shaders` to SPIR-V in `shaders/spv` with shaderc, and translates that to
-//! WGSL in `shaders/wgsl` with naga:
+//! Compiles the GLSL in `shaders` to SPIR-V with shaderc: in `shaders/spv`, and for WebGPU in
+//! `src/wgsl/spv`, of which naga must be able to make WGSL:
 //!
 //! `cargo run --release -p effigy-shaders --features compile --bin compile-shaders [-- --check]`
 //!
 //! With `--check` nothing is written; the command fails if a stored module differs from what its
-//! source compiles to. The modules are listed in `effigy::vulkan::shaders`, `effigy::wgsl` and
+//! source compiles to. The modules are listed in `effigy::vulkan::shaders`, `effigy_wgsl` and
 //! `effigy_train::gpu::shaders`. To
 //! add one, add its row there and create an empty file in its place, so that this program builds.
 
-mod wgsl;
+#[path = "../../src/wgsl/translate.rs"]
+mod translate;
 
 use anyhow::{Context, bail};
 use effigy_core::layout;
 
-use effigy::{
-    vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint, module_fingerprint},
-    wgsl as web_shaders,
-};
+use effigy::vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint, module_fingerprint};
+use effigy_wgsl::WgslModule;
 use shaderc::{
     CompileOptions, Compiler, EnvVersion, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
 };
@@ -79,13 +78,17 @@ impl Sources<'_> {
         Ok(artifact.as_binary_u8().to_vec())
     }
 
-    /// Compiles a module to WGSL. naga cannot translate some loops that the optimiser has
+    /// Compiles a module for WebGPU. naga cannot translate some loops that the optimiser has
     /// restructured: those modules are compiled without optimisation.
-    fn translate(&self, module: &web_shaders::WgslModule) -> anyhow::Result<String> {
+    fn compile_for_web(&self, module: &WgslModule) -> anyhow::Result<Vec<u8>> {
         let macros = [&[("WEB", "1")], module.macros].concat();
-        let translate_at = |level| wgsl::translate(&self.compile(module.file, &macros, level)?);
-        translate_at(OptimizationLevel::Performance)
-            .or_else(|_| translate_at(OptimizationLevel::Zero))
+        let compile = |level| {
+            let spirv = self.compile(module.file, &macros, level)?;
+            translate::translate(&spirv)?;
+            anyhow::Ok(spirv)
+        };
+        compile(OptimizationLevel::Performance)
+            .or_else(|_| compile(OptimizationLevel::Zero))
             .context(module.name)
     }
 }
@@ -126,17 +129,17 @@ fn write_spirv(sources: &Sources, output: &mut Output) -> anyhow::Result<()> {
     output.file(&folder, FINGERPRINTS, fingerprints.as_bytes())
 }
 
-fn write_wgsl(sources: &Sources, output: &mut Output) -> anyhow::Result<()> {
-    let folder = sources.shaders.join("wgsl");
+fn write_web(sources: &Sources, output: &mut Output) -> anyhow::Result<()> {
+    let folder = sources.shaders.join("../src/wgsl");
     let mut fingerprints = String::new();
-    for module in web_shaders::MODULES {
-        let text = sources.translate(module)?;
-        output.file(&folder, &format!("{}.wgsl", module.name), text.as_bytes())?;
+    for module in effigy_wgsl::MODULES {
+        let words = sources.compile_for_web(module)?;
+        output.file(&folder, &module.compiled(), &words)?;
         let source = fingerprint(sources.shaders, module.file)?;
-        let fingerprint = module.fingerprint(source, &text);
+        let fingerprint = module_fingerprint(source, &[module.macro_text().as_bytes(), &words].concat());
         fingerprints += &format!("{} {fingerprint:016x}\n", module.name);
     }
-    output.file(&folder, web_shaders::FINGERPRINTS, fingerprints.as_bytes())
+    output.file(&folder.join("spv"), FINGERPRINTS, fingerprints.as_bytes())
 }
 
 fn main() -> anyhow::Result<()> {
@@ -150,7 +153,7 @@ fn main() -> anyhow::Result<()> {
         shaders: &shaders,
     };
     write_spirv(&sources, &mut output)?;
-    write_wgsl(&sources, &mut output)?;
+    write_web(&sources, &mut output)?;
     if !output.stale.is_empty() {
         bail!(
             "modules differ from what their sources compile to: {}; run compile-shaders and commit the result",
@@ -161,7 +164,7 @@ fn main() -> anyhow::Result<()> {
         println!(
             "compiled {} modules, and {} for WebGPU",
             MODULES.len(),
-            web_shaders::MODULES.len()
+            effigy_wgsl::MODULES.len()
         );
     }
     Ok(())

@@ -250,11 +250,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     Interrupts::excuse_trials()?;
     let gpu = open(args.backend.try_into()?, &args.quality.gpu())?;
     let bar = progress::items(0, "frames");
-    let options = match args.quality.keys {
-        Some(_) => job.setting.options,
-        None => gpu.within_reach(job.setting.options),
-    };
-    job.setting.options = gpu.resolve(options);
+    job.setting.options = gpu.resolve(job.setting.options);
     let any = task_of(job.sweep_case, false);
     let mut report = any.report(&gpu, &job.setting, std::env::args().collect());
     let mut show = |what: &str, done: usize, all: usize| {

@@ -29,8 +29,8 @@ pub fn print_heading(report: &BenchReport) {
         avatar.name, avatar.gaussians, avatar.rows, avatar.clip
     );
     println!(
-        "image    {} × {}, {}, {}, {}-bit keys",
-        report.size[0], report.size[1], options.raster, options.color, options.key_bits
+        "image    {} × {}, {}, {}",
+        report.size[0], report.size[1], options.raster, options.color
     );
     println!(
         "error    cutoff {:.1}/255, detail {}, low-pass {}",

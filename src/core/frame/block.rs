@@ -2,7 +2,7 @@
 //! the renderer's options.
 
 use super::{
-    RendererOptions, Skip,
+    DEPTH_KEYS, RendererOptions, Skip,
     room::Room,
     state::{AvatarInstance, Layer},
 };
@@ -65,7 +65,7 @@ pub fn write_shared(
     block.near = camera.near as f32;
     block.key_far = far as f32;
     block.key_scale = (1.0 / (far - near)) as f32;
-    block.key_max = options.keys().largest();
+    block.key_max = DEPTH_KEYS.largest();
     block.cutoff = (255.0 * options.cutoff) as f32;
     block.quad_opacity = if options.skip.contains(Skip::FAINT) {
         0.0

@@ -1,19 +1,46 @@
-//! The keys that Gaussians are sorted by.
+//! Sort keys, and the entries that they become between the passes of a sort.
 
 use crate::layout::SORT_CULLED;
 
 /// Width of the keys: the sort takes a pass for every 8 bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KeyBits {
-    /// Two passes; two keys a word.
+    /// Two passes; two keys a word. For bins.
     Sixteen,
     /// Three passes. What is left of a key after the first shares a word with the index of one of
-    /// 2¹⁸ Gaussians.
-    #[default]
+    /// 2¹⁸ Gaussians. For depths: steps under 1 µm for a person.
     TwentyTwo,
-    /// Four passes.
+    /// Four passes. For training, whose keys hold a view and a depth.
     ThirtyTwo,
 }
+
+/// Form of the entries between passes; see `shaders/sort/pass.glsl`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EntryForm {
+    /// A key a word, its value its index: before the first pass.
+    Keys = 0,
+    /// A key and a value in turn.
+    Pairs = 1,
+    /// What is left of the key, and the value, in a word.
+    Packed = 2,
+    /// A value a word: after the last pass.
+    Values = 3,
+    /// As [`Self::Keys`], with two keys of 16 bits a word.
+    Halves = 4,
+}
+
+impl EntryForm {
+    /// Bytes of an entry after a pass.
+    pub fn bytes(self) -> u64 {
+        match self {
+            Self::Pairs => 8,
+            _ => 4,
+        }
+    }
+}
+
+/// Width of the depth keys.
+pub const DEPTH_KEYS: KeyBits = KeyBits::TwentyTwo;
 
 impl KeyBits {
     /// Bits of a key.
@@ -39,6 +66,49 @@ impl KeyBits {
     /// index of one of so many.
     pub fn packs_before(self, pass: u32, count: u32) -> bool {
         u64::from(count) <= 1 << (32 - self.bits_left(pass))
+    }
+
+    /// The form of the entries of a sort of at most `capacity` keys before a pass; after the last one
+    /// with the number of passes.
+    pub fn form_before(self, pass: u32, capacity: u32) -> EntryForm {
+        if pass == 0 {
+            return if self.halves() {
+                EntryForm::Halves
+            } else {
+                EntryForm::Keys
+            };
+        }
+        if pass == self.passes() {
+            EntryForm::Values
+        } else if self.packs_before(pass, capacity) {
+            EntryForm::Packed
+        } else {
+            EntryForm::Pairs
+        }
+    }
+
+    /// Bits that the value, which is an index, has beside the bits left of the key in the packed
+    /// form: all that are left when it begins. 24 where it never does.
+    pub fn value_bits(self, capacity: u32) -> u32 {
+        (1..self.passes())
+            .find(|&pass| self.packs_before(pass, capacity))
+            .map_or(24, |pass| 32 - self.bits_left(pass))
+    }
+
+    /// Bytes of the two buffers that the passes of a sort write in turn: the first pass the first,
+    /// the last pass [`Self::last`].
+    pub fn written_in_turn(self, capacity: u32) -> [u64; 2] {
+        [0, 1].map(|first| {
+            let passes = (first..self.passes()).step_by(2);
+            let forms = passes.map(|pass| self.form_before(pass + 1, capacity));
+            let entry = forms.map(EntryForm::bytes).max().unwrap_or_default();
+            entry * u64::from(capacity)
+        })
+    }
+
+    /// Which of those the last pass writes: the order is there.
+    pub fn last(self) -> usize {
+        (self.passes() as usize - 1) % 2
     }
 
     /// Whether two keys share a word, the first in its low half. The largest 16-bit key then means

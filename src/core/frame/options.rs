@@ -1,6 +1,6 @@
 //! Renderer options: everything that trades time or memory for quality.
 
-use super::{KeyBits, Skip};
+use super::Skip;
 use crate::layout::{
     SORT_DIGITS, SORT_GROUP, SORT_ONESWEEP_TILE, SORT_RUNS, SORT_STATE, SORT_TILE,
 };
@@ -16,12 +16,11 @@ use serde::{Deserialize, Serialize};
 pub struct RendererOptions {
     /// Width and height of the image, px.
     pub size: [u32; 2],
-    /// Format of the image. None: [`RasterMethod::color`].
-    pub color: Option<ColorFormat>,
     /// How splats are rasterized. None: the method recommended for the device.
     pub method: Option<RasterMethod>,
-    /// Width of the sort keys. None: 22 bits with Vulkan, 16 with WebGPU, which has no others.
-    pub key_bits: Option<KeyBits>,
+    /// Store the image in 16-bit floats by every method ([`Self::color`]). [`Self::exactly`] also
+    /// turns off what changes it by more than rounding.
+    pub exact: bool,
     /// How to sort. None: the fastest variant that passes the device's self-test.
     pub sort: Option<SortVariant>,
     /// Work that may be skipped where the scene does not need it.
@@ -47,18 +46,35 @@ pub struct RendererOptions {
 }
 
 impl RendererOptions {
-    /// Width of the sort keys, of resolved options.
-    pub fn keys(&self) -> KeyBits {
-        self.key_bits.unwrap_or_default()
+    /// Format of the image, of resolved options.
+    pub fn color(&self) -> ColorFormat {
+        match self.method {
+            Some(method) if method.is_tiles() && !self.exact => ColorFormat::Rgba8,
+            _ => ColorFormat::Rgba16F,
+        }
+    }
+
+    /// These options for an image that is exact: nothing is skipped or added that changes it by more
+    /// than rounding. Quads draw what lies behind the saturation depth, small avatars are drawn as the
+    /// model says and not as the area of each pixel shows them, and all of a crowd is drawn.
+    pub fn exactly(self) -> Self {
+        Self {
+            exact: true,
+            skip: self.skip - Skip::DEPTH,
+            cutoff: ALPHA_MIN,
+            detail: Detail::FULL,
+            supersampling: Supersampling::OFF,
+            gaussians: Some(u32::MAX),
+            ..self
+        }
     }
 
     /// The defaults for an image of a width and height, px.
     pub fn new(size: [u32; 2]) -> Self {
         Self {
             size,
-            color: None,
             method: None,
-            key_bits: None,
+            exact: false,
             sort: None,
             skip: Skip::all(),
             cutoff: ALPHA_MIN,
@@ -75,10 +91,10 @@ impl RendererOptions {
 /// Format that the image is blended or stored in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ColorFormat {
-    /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian by [`RasterMethod::Quads`],
-    /// once by tiles.
+    /// 8 bits a channel: 4 bytes a pixel. For tiles, which round each pixel once.
     Rgba8,
-    /// 16-bit floating point: 8 bytes a pixel.
+    /// 16-bit floating point: 8 bytes a pixel. For quads, which round with every Gaussian, and for
+    /// exact images.
     #[default]
     Rgba16F,
 }
@@ -124,15 +140,6 @@ impl RasterMethod {
     /// Whether a compute kernel draws.
     pub fn is_tiles(self) -> bool {
         self != Self::Quads
-    }
-
-    /// The default format: 8 bits where each pixel is rounded once.
-    pub fn color(self) -> ColorFormat {
-        if self.is_tiles() {
-            ColorFormat::Rgba8
-        } else {
-            ColorFormat::Rgba16F
-        }
     }
 }
 

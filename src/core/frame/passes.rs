@@ -110,7 +110,7 @@ impl Target {
 pub enum Pass {
     /// Writes the number of keys that the sort takes to the control.
     SetKeyCount {
-        /// Keys of all avatars of a layer, padding included.
+        /// Keys of all avatars of a layer.
         keys: u32,
     },
     /// Clears histograms and counts of culled Gaussians.

@@ -9,11 +9,6 @@ use std::{cmp::Ordering, collections::BinaryHeap};
 /// options say otherwise, and an atlas may have all its pixels.
 pub(super) const FEW: usize = 16;
 
-/// Splats and keys that an avatar takes up if it draws this many Gaussians.
-pub fn padded_count(gaussians: u32) -> u32 {
-    gaussians.next_multiple_of(2)
-}
-
 /// What is drawn of an avatar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Portion {
@@ -80,13 +75,13 @@ impl Room {
     /// avatar as a whole.
     pub fn new(options: &RendererOptions, bounds: &AvatarBounds) -> Result<Self, Unusable> {
         let instances = options.instances as u64;
-        let padded = |portion: Portion| u64::from(padded_count(portion.gaussians(bounds)));
+        let count = |portion: Portion| u64::from(portion.gaussians(bounds));
         let whole = Portion { model: 0, level: 0 };
-        let all = instances * padded(whole);
-        let least = (instances * padded(Portion::coarsest(bounds))).max(padded(whole));
+        let all = instances * count(whole);
+        let least = (instances * count(Portion::coarsest(bounds))).max(count(whole));
         let gaussians = match options.gaussians {
             Some(most) => all.min(most.into()),
-            None if options.instances > FEW => all.min((4 * padded(whole)).max(least)),
+            None if options.instances > FEW => all.min((4 * count(whole)).max(least)),
             None => all,
         };
         if gaussians < least {
@@ -100,12 +95,12 @@ impl Room {
         let mut fewest = u64::MAX;
         while let Some(portion) = moved {
             if portion.correctives(bounds) {
-                fewest = fewest.min(padded(portion).max(1));
+                fewest = fewest.min(count(portion).max(1));
             }
             moved = portion.coarser(bounds);
         }
         // Every level of every avatar may also be thinned out.
-        let fewest = fewest.min(padded(Portion {
+        let fewest = fewest.min(count(Portion {
             level: detail::COARSEST,
             ..whole
         }));
@@ -131,8 +126,8 @@ impl Room {
         side: impl Fn(usize) -> f64,
         bounds: &AvatarBounds,
     ) {
-        let padded = |portion: Portion| u64::from(padded_count(portion.gaussians(bounds)));
-        let mut total: u64 = portions.iter().map(|&portion| padded(portion)).sum();
+        let count = |portion: Portion| u64::from(portion.gaussians(bounds));
+        let mut total: u64 = portions.iter().map(|&portion| count(portion)).sum();
         if total <= self.gaussians.into() {
             return;
         }
@@ -148,8 +143,8 @@ impl Room {
             && let Some(Crowded { avatar, .. }) = densest.pop()
         {
             if let Some(coarser) = portions[avatar].coarser(bounds) {
-                total -= padded(portions[avatar]);
-                total += padded(coarser);
+                total -= count(portions[avatar]);
+                total += count(coarser);
                 portions[avatar] = coarser;
                 densest.push(crowded(avatar, coarser));
             }
@@ -249,7 +244,7 @@ mod tests {
         let count = avatar.gaussians.len() as u32;
         let room = |instances, gaussians| Room::new(&options(instances, gaussians), &bounds);
         let all = room(5, None).expect("room");
-        assert_eq!((all.gaussians, all.posed), (5 * padded_count(count), 5));
+        assert_eq!((all.gaussians, all.posed), (5 * count, 5));
         // A crowd has what four avatars have, or the coarsest of each.
         let crowd = room(24, None).expect("room");
         assert_eq!((crowd.gaussians, crowd.posed), (4 * count, 24));
@@ -284,13 +279,13 @@ mod tests {
         let bounds = AvatarBounds::new(&with_levels());
         let count = bounds.gaussians() as u32;
         let coarsest = Portion::coarsest(&bounds).gaussians(&bounds);
-        let instances = (count / padded_count(coarsest)) as usize;
+        let instances = (count / coarsest) as usize;
         let room = Room::new(&options(instances, Some(count)), &bounds).expect("room");
         let mut portions = vec![Portion { model: 0, level: 0 }; instances];
         for side in [1000.0, 0.0, f64::INFINITY, f64::NAN] {
             room.fit(&mut portions, |_| side, &bounds);
-            let padded = |own: &Portion| padded_count(own.gaussians(&bounds));
-            assert!(portions.iter().map(padded).sum::<u32>() <= room.gaussians);
+            let drawn = portions.iter().map(|own| own.gaussians(&bounds));
+            assert!(drawn.sum::<u32>() <= room.gaussians);
         }
     }
 

@@ -6,7 +6,7 @@ use super::{
     atlas::{Arrangement, LevelInput, Seen, Slot, arrange},
     changes::View,
     damage::{Damage, regions_around},
-    room::{Portion, PosePlaces, Room, padded_count},
+    room::{Portion, PosePlaces, Room},
 };
 use crate::avatar::LowPass;
 use crate::scene::{
@@ -39,8 +39,7 @@ pub struct AvatarInstance<'a> {
     pub level: u32,
     /// Gaussians that are drawn.
     pub gaussians: u32,
-    /// Where its splats and keys start among those of its layer's avatars. Always even, so that no
-    /// 32-bit word holds 16-bit keys of two avatars.
+    /// Where its splats and keys start among those of its layer's avatars.
     pub first_key: u32,
     /// Where its pose cache starts among those of all avatars, Gaussians.
     pub cache_start: u32,
@@ -63,7 +62,7 @@ pub struct AvatarInstance<'a> {
 impl AvatarInstance<'_> {
     /// Where the next avatar's splats and keys start.
     fn end_key(&self) -> u32 {
-        self.first_key + padded_count(self.gaussians)
+        self.first_key + self.gaussians
     }
 }
 
@@ -84,7 +83,7 @@ pub struct Layer<'a> {
 }
 
 impl Layer<'_> {
-    /// Keys of all its avatars, padding included.
+    /// Keys of all its avatars.
     pub fn key_count(&self) -> u32 {
         self.instances.last().map_or(0, AvatarInstance::end_key)
     }

@@ -43,14 +43,6 @@ pub const SORT_DIGITS: u32 = 256;
 /// The key of a Gaussian that is not drawn; the sort discards it.
 pub const SORT_CULLED: u32 = u32::MAX;
 
-/// A key as 32 bits, from one of 16.
-pub fn widened_key(key: u16) -> u32 {
-    match key {
-        u16::MAX => SORT_CULLED,
-        _ => key.into(),
-    }
-}
-
 /// Quads in an instance of the draw. One quad an instance is slow on several drivers
 /// (docs/architecture.md, "Device facts").
 pub const QUADS_PER_INSTANCE: u32 = 128;
@@ -198,8 +190,8 @@ pub struct FrameBlock {
     /// Where in the model the view-dependent colours start, in pairs; 0 without spherical
     /// harmonics.
     pub sh_color_start: u32,
-    /// Whether two keys share a word.
-    pub half_keys: u32,
+    /// Keeps the vectors after it aligned.
+    pub unused: u32,
     /// Where in the splats' buffer the sort's first counts start, in words.
     pub count_start: u32,
     /// How many keys share a row of counts.

@@ -63,15 +63,6 @@ impl BenchDevice {
         }
     }
 
-    /// Options that a preset made, with keys of as many bits as the backend sorts by.
-    pub fn within_reach(&self, options: RendererOptions) -> RendererOptions {
-        match self {
-            Self::Vulkan(_) => options,
-            #[cfg(feature = "webgpu")]
-            Self::WebGpu(_) => webgpu::options::within_reach(options),
-        }
-    }
-
     /// The device, if it is behind Vulkan.
     pub fn vulkan(&self) -> Option<&Arc<vulkan::Gpu>> {
         match self {

@@ -2,23 +2,13 @@
 //! parameter, the setting with that value comes out.
 
 use super::scene::RATE;
-use crate::{report::bits_of_keys, setting::RenderSetting};
-use effigy::vulkan::{
-    preset::Preset,
-    raster::{ColorFormat, RasterMethod},
-    sort::KeyBits,
-};
+use crate::setting::RenderSetting;
 use effigy_core::{
-    frame::Skip,
+    frame::{RasterMethod, Skip},
     scene::{Detail, Supersampling, detail::COARSEST},
 };
 use std::{fmt, str::FromStr};
 
-/// Name of [`Parameter::Preset`].
-pub const PRESET: &str = "preset";
-
-const COLORS: [ColorFormat; 2] = [ColorFormat::Rgba8, ColorFormat::Rgba16F];
-const KEYS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo];
 /// Opacity cutoffs, of 255.
 const CUTOFFS: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 /// Shares of the basis rows.
@@ -29,12 +19,8 @@ const HOLDS: [usize; 5] = [1, 2, 3, 4, 6];
 /// Something that trades time for error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parameter {
-    /// All options of a preset at once.
-    Preset,
-    /// Bits of the depth keys.
-    Keys,
-    /// Format of the image.
-    Color,
+    /// Whether the image is exact ([`effigy_core::frame::RendererOptions::exactly`]).
+    Exact,
     /// Rasterization method.
     Raster,
     /// Opacity cutoff.
@@ -65,10 +51,8 @@ pub struct ParameterValue {
 impl Parameter {
     /// Every parameter. The last is for a closer look at [`Parameter::Skip`] and not part of a
     /// sweep of all.
-    pub const ALL: [Self; 11] = [
-        Self::Preset,
-        Self::Keys,
-        Self::Color,
+    pub const ALL: [Self; 9] = [
+        Self::Exact,
         Self::Raster,
         Self::Cutoff,
         Self::Rows,
@@ -82,9 +66,7 @@ impl Parameter {
     /// Name on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Preset => PRESET,
-            Self::Keys => "keys",
-            Self::Color => "color",
+            Self::Exact => "exact",
             Self::Raster => "raster",
             Self::Cutoff => "cutoff",
             Self::Rows => "rows",
@@ -101,28 +83,15 @@ impl Parameter {
         let mut values = ParameterValues::new(base);
         let options = &base.options;
         match self {
-            Self::Preset => {
-                for preset in Preset::ALL {
-                    values.add(preset, |s| s.options = preset.apply(s.options));
-                }
-            }
-            Self::Keys => {
-                for keys in KEYS.into_iter().filter(|&keys| keys != options.keys()) {
-                    values.add(bits_of_keys(keys), |s| s.options.key_bits = Some(keys));
-                }
-            }
-            Self::Color => {
-                for color in COLORS {
-                    if Some(color) != options.color {
-                        let name = format!("{color:?}").to_lowercase();
-                        values.add(name, |s| s.options.color = Some(color));
-                    }
+            Self::Exact => {
+                if !options.exact {
+                    values.add("yes", |s| s.options = s.options.exactly());
                 }
             }
             Self::Raster => {
                 for method in RasterMethod::ALL {
                     if Some(method) != options.method {
-                        values.add(method.name(), |s| set_method(s, method));
+                        values.add(method.name(), |s| s.options.method = Some(method));
                     }
                 }
             }
@@ -209,17 +178,6 @@ fn differs(value: f64, base: f64) -> bool {
     (value - base).abs() > 1e-9
 }
 
-/// Draws by a method. If the colour format is the one that comes with the method so far, the new
-/// method brings its own.
-fn set_method(setting: &mut RenderSetting, method: RasterMethod) {
-    let options = &mut setting.options;
-    let from_method = options.method.map(RasterMethod::color);
-    if options.color.is_some() && options.color == from_method {
-        options.color = Some(method.color());
-    }
-    options.method = Some(method);
-}
-
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
@@ -271,7 +229,7 @@ mod tests {
             ["30 Hz", "20 Hz", "15 Hz", "10 Hz"]
         );
         assert_eq!(names(Parameter::Cutoff), ["2/255", "4/255", "8/255"]);
-        assert_eq!(names(Parameter::Keys).len(), 2);
+        assert_eq!(names(Parameter::Exact), ["yes"]);
         assert_eq!(names(Parameter::Detail), ["auto", "1/2", "1/4", "1/8"]);
         assert_eq!(names(Parameter::Supersample), ["1", "2", "4"]);
         assert_eq!(names(Parameter::Skip), ["none"]);
@@ -304,7 +262,7 @@ mod tests {
         let text = |setting: &RenderSetting| format!("{setting:?}");
         for parameter in Parameter::ALL
             .into_iter()
-            .filter(|&parameter| parameter != Parameter::Preset)
+            .filter(|&parameter| parameter != Parameter::Exact)
         {
             for ParameterValue { name, setting } in parameter.values(&base()) {
                 assert!(
@@ -320,8 +278,6 @@ mod tests {
                     _ => {
                         let mut options = setting.options;
                         match parameter {
-                            Parameter::Keys => options.key_bits = base().options.key_bits,
-                            Parameter::Color => options.color = base().options.color,
                             Parameter::Raster => options.method = base().options.method,
                             Parameter::Cutoff => options.cutoff = base().options.cutoff,
                             Parameter::Detail => options.detail = base().options.detail,

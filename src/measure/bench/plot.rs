@@ -20,7 +20,6 @@ const FRONT: RGBColor = RGBColor(208, 52, 44);
 static COLORS: [RGBColor; Parameter::ALL.len()] = [
     RGBColor(20, 20, 20),
     RGBColor(31, 119, 180),
-    RGBColor(174, 199, 232),
     RGBColor(255, 127, 14),
     RGBColor(44, 160, 44),
     RGBColor(148, 103, 189),
@@ -28,7 +27,6 @@ static COLORS: [RGBColor; Parameter::ALL.len()] = [
     RGBColor(23, 163, 184),
     RGBColor(150, 150, 20),
     RGBColor(0, 120, 120),
-    RGBColor(120, 0, 120),
 ];
 /// Range of the PSNR below the best finite one, dB. Points further down are drawn at the lower
 /// edge, with their PSNR in their name.
@@ -129,9 +127,9 @@ struct PlottedPoint<'a> {
 }
 
 impl PlottedPoint<'_> {
-    /// Whether it is the base setting or a preset, which are drawn larger.
+    /// Whether it is the base setting or exact, which are drawn larger.
     fn is_special(&self) -> bool {
-        self.point.parameter == BASE || self.point.parameter == Parameter::Preset.name()
+        self.point.parameter == BASE || self.point.parameter == Parameter::Exact.name()
     }
 
     fn color(&self) -> &'static RGBColor {
@@ -156,7 +154,7 @@ fn plotted_points(sweep: &SweepReport) -> Vec<PlottedPoint<'_>> {
     points.sort_by_key(|point| {
         (
             point.parameter != BASE,
-            point.parameter != Parameter::Preset.name(),
+            point.parameter != Parameter::Exact.name(),
             !point.on_front,
         )
     });
@@ -313,8 +311,8 @@ mod tests {
             };
         let points = vec![
             point(BASE, "", 10.0, Some(55.0), true),
-            point("preset", "low", 6.0, Some(48.0), true),
-            point("preset", "exact", 20.0, None, true),
+            point("raster", "quads", 6.0, Some(48.0), true),
+            point("exact", "yes", 20.0, None, true),
             point("cutoff", "8/255", 9.0, Some(45.0), false),
             point("pose-rate", "5 Hz", 7.0, Some(17.24), false),
         ];
@@ -333,8 +331,8 @@ mod tests {
         assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"));
         for name in [
             BASE,
-            "preset low",
-            "preset exact: no error",
+            "raster quads",
+            "exact yes: no error",
             "cutoff 8/255",
             "pose-rate 5 Hz: 17.2 dB",
             "a body &amp; a device",

@@ -20,7 +20,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    frame::{RendererOptions, Skip, preset::Preset},
+    frame::{RendererOptions, Skip},
     io::cameras,
     scene::{AvatarBounds, Camera, Framing, Posed},
 };
@@ -141,7 +141,7 @@ pub fn measure_spread(
     let exact = RendererOptions {
         skip: Skip::empty(),
         supersampling: drawn.supersampling,
-        ..gpu.within_reach(Preset::Exact.apply(drawn))
+        ..drawn.exactly()
     };
     let mut renderer = BenchRenderer::new(gpu, &setting.reduce(inputs.avatar), drawn)?;
     let mut exact_renderer = BenchRenderer::new(gpu, inputs.avatar, exact)?;

@@ -111,10 +111,7 @@ impl SweepRun<'_> {
             setting: self.sweep.base,
         };
         let mut entries = vec![self.open_entry(BASE, base)?];
-        for mut value in parameter.values(&self.sweep.base) {
-            if parameter == Parameter::Preset {
-                value.setting.options = self.gpu.within_reach(value.setting.options);
-            }
+        for value in parameter.values(&self.sweep.base) {
             let title = format!("{parameter} {}", value.name);
             match self.open_entry(parameter.name(), value) {
                 Ok(entry) => entries.push(entry),

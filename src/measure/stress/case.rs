@@ -5,12 +5,7 @@
 use super::{
     adversarial, body::below, bound::Scene, category::Category, draft::Draft, small::Small,
 };
-use effigy::vulkan::{
-    RendererOptions,
-    probe::Probe,
-    raster::{ColorFormat, RasterMethod},
-    sort::KeyBits,
-};
+use effigy::vulkan::{RendererOptions, probe::Probe, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Filter, Pose},
     frame::Skip,
@@ -120,19 +115,7 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
         _ => Skip::from_bits_truncate(random.bits() as u32),
     };
     let mut options = RendererOptions {
-        color: Some(if below(random, 4) == 0 {
-            ColorFormat::Rgba8
-        } else {
-            ColorFormat::Rgba16F
-        }),
-        key_bits: Some(
-            [
-                KeyBits::Sixteen,
-                KeyBits::TwentyTwo,
-                KeyBits::TwentyTwo,
-                KeyBits::ThirtyTwo,
-            ][below(random, 4)],
-        ),
+        exact: below(random, 4) > 0,
         skip,
         supersampling: Supersampling::OFF,
         ..RendererOptions::new(size)

@@ -6,7 +6,7 @@ use super::{
     category::Category,
 };
 use effigy_core::{
-    frame::{ColorFormat, KeyBits, Skip},
+    frame::Skip,
     reference::{self, Culled, Splat, project, raster, sort},
     scene::{AvatarBounds, Camera, FrameImage, Supersampling},
 };
@@ -29,23 +29,17 @@ struct Frame {
 #[derive(Clone, Copy, Debug)]
 struct Drawing {
     rasterizer: Rasterizer,
-    color: ColorFormat,
-    keys: KeyBits,
+    exact: bool,
     skip: Skip,
 }
 
 impl Drawing {
-    /// How many of so many faults its bound must see: all, but one where quads round each layer to 8
-    /// bits, which hides small ones behind others, and all but one where what shows by less than a
+    /// How many of so many faults its bound must see: all, but one where what shows by less than a
     /// twentieth is left out: by the saturation depth, and by tiles with 8 bits, which fill
     /// saturated pixels.
     fn least_seen(self, faults: usize) -> usize {
-        let is_quads = matches!(self.rasterizer, Rasterizer::Quads | Rasterizer::TestedQuads);
-        if is_quads && self.color == ColorFormat::Rgba8 {
-            1
-        } else if matches!(self.rasterizer, Rasterizer::TestedQuads)
-            || self.color == ColorFormat::Rgba8 && self.skip.contains(Skip::SATURATED)
-        {
+        let fills = !self.exact && self.skip.contains(Skip::SATURATED);
+        if matches!(self.rasterizer, Rasterizer::TestedQuads) || fills {
             (faults - 1).max(1)
         } else {
             faults
@@ -90,8 +84,7 @@ impl Frame {
     fn bound(&self, drawing: Drawing) -> ImageBound {
         let mut options = self.case.options;
         options.skip = drawing.skip;
-        options.color = Some(drawing.color);
-        options.key_bits = Some(drawing.keys);
+        options.exact = drawing.exact;
         drawing.rasterizer.choose(&mut options);
         let mut scene = self.case.scene();
         scene.options = &options;
@@ -139,37 +132,23 @@ impl Frame {
     }
 }
 
-/// The drawings whose bounds must see every fault: each rasterizer, and each width of keys.
+/// The drawings whose bounds must see every fault: each rasterizer, and tiles in either format.
 fn drawings() -> Vec<Drawing> {
     let mut all: Vec<Drawing> = Rasterizer::ALL
         .into_iter()
         .map(|rasterizer| Drawing {
             rasterizer,
-            color: ColorFormat::Rgba16F,
-            keys: KeyBits::TwentyTwo,
+            exact: true,
             skip: Skip::all(),
         })
         .collect();
     let tiles = all[2];
     all.push(Drawing {
-        keys: KeyBits::Sixteen,
-        ..tiles
-    });
-    all.push(Drawing {
-        keys: KeyBits::ThirtyTwo,
-        ..tiles
-    });
-    all.push(Drawing {
-        color: ColorFormat::Rgba8,
+        exact: false,
         ..tiles
     });
     all.push(Drawing {
         skip: Skip::empty(),
-        ..tiles
-    });
-    all.push(Drawing {
-        rasterizer: Rasterizer::Quads,
-        color: ColorFormat::Rgba8,
         ..tiles
     });
     all

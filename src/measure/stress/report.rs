@@ -230,10 +230,9 @@ impl StressReport {
                 case: case.number,
                 category: case.category,
                 options: format!(
-                    "{}, {:?}, {:?}, {}",
+                    "{}, {:?}, {}",
                     rasterizer.name(),
-                    case.options.color.unwrap_or_default(),
-                    case.options.keys(),
+                    case.options.color(),
                     case.options.skip
                 ),
                 covered_pixels: error.covered.pixels,

@@ -16,12 +16,12 @@ use crate::vulkan::{
 use ash::vk;
 use effigy_core::{
     frame::{
-        KeyBits, RendererOptions, Skinning, Skip, SortVariant,
+        DEPTH_KEYS, RendererOptions, Skinning, Skip, SortVariant,
         kernels::{self, KernelSpec},
         resource::Resource,
         room::Room,
     },
-    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP, widened_key},
+    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
 };
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -62,7 +62,6 @@ struct Caching {
 struct SplatBufferLayout {
     /// The capacity, Gaussians: those of all avatars.
     count: u64,
-    bits: KeyBits,
     /// Where the sort's counts start, and their length.
     counts: [u64; 2],
     /// Where reasons are counted.
@@ -72,13 +71,12 @@ struct SplatBufferLayout {
 }
 
 impl SplatBufferLayout {
-    fn new(count: u32, bits: KeyBits, variant: SortVariant) -> Self {
-        let start = (key_offset(count) + bits.bytes(u64::from(count))).next_multiple_of(256);
+    fn new(count: u32, variant: SortVariant) -> Self {
+        let start = (key_offset(count) + DEPTH_KEYS.bytes(u64::from(count))).next_multiple_of(256);
         let counts = counts_size(count, variant);
         let reasons = (start + counts).next_multiple_of(256);
         Self {
             count: u64::from(count),
-            bits,
             counts: [start, counts],
             reasons,
             posed: reasons + 256,
@@ -105,21 +103,20 @@ impl Project {
         let caches = options.skip.contains(Skip::SKINNING);
         let capacity =
             room.gaussians.saturating_add(CAPACITY_STEP - 1) / CAPACITY_STEP * CAPACITY_STEP;
-        let layout = SplatBufferLayout::new(capacity, options.keys(), variant);
+        let layout = SplatBufferLayout::new(capacity, variant);
         let counting = if options.count {
             [1, (layout.reasons / 4) as u32]
         } else {
             [0, 0]
         };
         let buffer = splat_buffer(gpu, layout.posed)?;
-        let halves = u32::from(options.keys().halves());
         let set = |set: &GaussianSet| -> Result<SetKernels> {
             let memory = memory
                 .with(Resource::Gaussians, &set.gaussians)
                 .with(Resource::Rows, &set.rows)
                 .with(Resource::Splats, &buffer);
             let kernel = |spec: &KernelSpec, module, stores: u32| {
-                let constants = [stores, counting[0], counting[1], halves];
+                let constants = [stores, counting[0], counting[1]];
                 Kernel::of_frame(gpu, spec, module, &constants, &memory, Launch::default())
             };
             let caching = if caches {
@@ -184,7 +181,6 @@ impl Project {
     /// Writes to a frame's block where the buffers of all avatars start.
     pub fn fill(&self, block: &mut FrameBlock) {
         block.key_start = (key_offset(self.capacity()) / 4) as u32;
-        block.half_keys = u32::from(self.layout.bits.halves());
         block.count_start = (self.layout.counts[0] / 4) as u32;
     }
 
@@ -201,11 +197,11 @@ impl Project {
 
     /// A key a Gaussian, larger is nearer; `layout::SORT_CULLED` for those that were culled.
     pub fn keys(&self) -> Slice {
-        let SplatBufferLayout { count, bits, .. } = self.layout;
+        let SplatBufferLayout { count, .. } = self.layout;
         Slice {
             buffer: self.buffer.raw(),
             offset: key_offset(count as u32),
-            size: bits.bytes(count).max(4),
+            size: DEPTH_KEYS.bytes(count).max(4),
         }
     }
 
@@ -244,16 +240,7 @@ impl Project {
         let count = (count as usize).min(self.layout.count as usize);
         let bytes = self.buffer.download((keys.offset + keys.size) as usize)?;
         let splats = bytemuck::pod_collect_to_vec(&bytes[..16 * count]);
-        let keys = &bytes[keys.offset as usize..];
-        let keys = if self.layout.bits.halves() {
-            let halves: Vec<u16> = bytemuck::pod_collect_to_vec(keys);
-            halves[..count]
-                .iter()
-                .map(|&key| widened_key(key))
-                .collect()
-        } else {
-            bytemuck::pod_collect_to_vec(&keys[..4 * count])
-        };
+        let keys = bytemuck::pod_collect_to_vec(&bytes[keys.offset as usize..][..4 * count]);
         Ok((splats, keys))
     }
 

@@ -29,8 +29,6 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     }
     RendererOptions {
         method: Some(method),
-        key_bits: Some(options.keys()),
-        color: Some(options.color.unwrap_or_else(|| method.color())),
         skip,
         supersampling,
         ..options

@@ -22,10 +22,7 @@ use crate::vulkan::{
 };
 use ash::vk;
 use effigy_core::{
-    frame::{
-        ColorFormat, RasterMethod, RendererOptions, Skip, kernels, passes::Target,
-        resource::Resource,
-    },
+    frame::{ColorFormat, RendererOptions, Skip, kernels, passes::Target, resource::Resource},
     layout::QUADS_PER_INSTANCE,
 };
 use std::sync::Arc;
@@ -67,7 +64,7 @@ impl Quads {
         inputs: &RasterInputs,
         options: &RendererOptions,
     ) -> Result<Self> {
-        let format = options.color.unwrap_or(RasterMethod::Quads.color());
+        let format = options.color();
         let depth = options.skip.contains(Skip::DEPTH);
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
         let indices: Vec<u16> = (0..QUADS_PER_INSTANCE).flat_map(quad).collect();

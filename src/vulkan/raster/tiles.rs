@@ -40,7 +40,7 @@ impl TileTarget {
         options: &RendererOptions,
         size: [u32; 2],
     ) -> Result<Self> {
-        let module = match (lists, format(options)) {
+        let module = match (lists, options.color()) {
             (Lists::Runs(_), ColorFormat::Rgba8) => &shaders::RASTER_COOPERATIVE_RGBA8,
             (Lists::Runs(_), ColorFormat::Rgba16F) => &shaders::RASTER_COOPERATIVE_RGBA16F,
             (Lists::Bins(_), ColorFormat::Rgba8) => &shaders::RASTER_SHARED_RGBA8,
@@ -113,7 +113,7 @@ impl Tiles {
     }
 
     pub fn format(&self) -> ColorFormat {
-        format(&self.options)
+        self.options.color()
     }
 
     /// Changes the image's size. On failure it stays.
@@ -296,10 +296,6 @@ fn launch(gpu: &Gpu, lists: &Lists) -> Launch {
     }
 }
 
-fn format(options: &RendererOptions) -> ColorFormat {
-    options.color.unwrap_or(ColorFormat::Rgba8)
-}
-
 fn create_image(gpu: &Arc<Gpu>, options: &RendererOptions, size: [u32; 2]) -> Result<Image> {
     check_size(gpu, size, gpu.probe.limits.max_image_dimension2_d)?;
     let mut usage = vk::ImageUsageFlags::STORAGE
@@ -308,5 +304,5 @@ fn create_image(gpu: &Arc<Gpu>, options: &RendererOptions, size: [u32; 2]) -> Re
     if options.supersampling.is_on() {
         usage |= vk::ImageUsageFlags::COLOR_ATTACHMENT;
     }
-    Image::new(gpu, "target", size, vulkan_format(format(options)), usage)
+    Image::new(gpu, "target", size, vulkan_format(options.color()), usage)
 }

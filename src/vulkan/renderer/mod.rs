@@ -39,7 +39,7 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FramePlan, Layer, RendererOptions, Schedule, Skip, Stage,
+        Counters, DEPTH_KEYS, Damage, FramePlan, Layer, RendererOptions, Schedule, Skip, Stage,
         StageDispatches, Unusable,
         block::PoseLayout,
         passes::Target,
@@ -211,7 +211,7 @@ impl Renderer {
         let project = Project::new(gpu, &model, &memory, variant, &options, room)?;
         let sort_options = SortOptions {
             counts: Some(project.counts()),
-            ..SortOptions::new(options.keys(), variant)
+            ..SortOptions::new(DEPTH_KEYS, variant)
         };
         let capacity = project.capacity();
         // SAFETY: the renderer owns these buffers, and drops them after its frames.

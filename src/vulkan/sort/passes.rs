@@ -16,16 +16,6 @@ use effigy_core::{
 };
 use std::sync::Arc;
 
-/// Form of the entries between passes; see `shaders/sort/pass.glsl`.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
-    Keys = 0,
-    Pairs = 1,
-    Packed = 2,
-    Values = 3,
-    Halves = 4,
-}
-
 /// Size and options of a sort, which decide its passes.
 pub struct SortSize {
     pub capacity: u32,
@@ -49,69 +39,8 @@ pub struct SortPass {
 }
 
 impl SortSize {
-    /// The forms of the entries that a pass reads and writes.
-    fn forms(&self, pass: u32) -> [Form; 2] {
-        [self.form_before(pass), self.form_before(pass + 1)]
-    }
-
-    /// The form of the entries before a pass; after the last one with the number of passes.
-    fn form_before(&self, pass: u32) -> Form {
-        let passes = self.options.bits.passes();
-        if pass == 0 {
-            return if self.options.bits.halves() {
-                Form::Halves
-            } else {
-                Form::Keys
-            };
-        }
-        if pass == passes {
-            return Form::Values;
-        }
-        if self.options.bits.packs_before(pass, self.capacity) {
-            Form::Packed
-        } else {
-            Form::Pairs
-        }
-    }
-
-    /// Bits that the value, which is an index, has beside the bits left of the key in the packed
-    /// form: all that are left when it begins. 24 where it never does.
-    fn value_bits(&self) -> u32 {
-        let bits = self.options.bits;
-        let packed = |&pass: &u32| bits.packs_before(pass, self.capacity);
-        (1..bits.passes())
-            .find(packed)
-            .map_or(24, |pass| 32 - bits.bits_left(pass))
-    }
-
-    /// Bytes that a pass writes.
-    fn written(&self, pass: u32) -> u64 {
-        let entry = match self.forms(pass)[1] {
-            Form::Packed | Form::Values => 4,
-            _ => 8,
-        };
-        entry * u64::from(self.capacity)
-    }
-
-    /// Bytes of the two buffers that passes write in turn: the first pass the first, the last pass
-    /// [`Self::last`].
-    pub fn written_in_turn(&self) -> [u64; 2] {
-        let passes = self.options.bits.passes();
-        let largest = |first| {
-            (first..passes)
-                .step_by(2)
-                .map(|pass| self.written(pass))
-                .max()
-        };
-        [0, 1].map(|first| largest(first).unwrap_or_default())
-    }
-
-    /// The buffer that the last pass writes: the order is there.
-    pub fn last(&self) -> usize {
-        (self.options.bits.passes() as usize - 1) % 2
-    }
-
-    /// `in_turn`: buffers of the lengths of [`Self::written_in_turn`].
+    /// `in_turn`: buffers of the lengths of
+    /// [`KeyBits::written_in_turn`](effigy_core::frame::KeyBits::written_in_turn).
     pub fn passes(
         &self,
         gpu: &Arc<Gpu>,
@@ -136,7 +65,8 @@ impl SortSize {
         let variant = self.options.variant;
         let looks_back = variant == SortVariant::OneSweep && pass > 0;
         let scanned = !looks_back && self.tiles > MAX_SUMMED_TILES;
-        let [reads, writes] = self.forms(pass);
+        let bits = self.options.bits;
+        let [reads, writes] = [pass, pass + 1].map(|at| bits.form_before(at, self.capacity));
         let unrolled = !gpu.probe.is_cpu();
         let entries = [pass, reads as u32, writes as u32];
         let sizes = [variant.tile(), self.tiles, self.capacity];
@@ -147,7 +77,7 @@ impl SortSize {
                 u32::from(scanned),
                 self.options.stall,
                 u32::from(unrolled),
-                self.value_bits(),
+                bits.value_bits(self.capacity),
                 tiles_read_at_once(gpu.probe.kind),
             ],
         ]

@@ -92,7 +92,7 @@ impl Sort {
             tiles,
             options,
         };
-        let [first, second] = sort_size.written_in_turn();
+        let [first, second] = options.bits.written_in_turn(capacity);
         let in_turn = [
             storage("sort entries", first)?,
             storage("sort entries", second)?,
@@ -109,7 +109,7 @@ impl Sort {
             counts,
             own_counts,
             in_turn,
-            last: sort_size.last(),
+            last: options.bits.last(),
         })
     }
 

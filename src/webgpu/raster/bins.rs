@@ -16,7 +16,7 @@ use super::{
 use crate::wgsl;
 use bytemuck::bytes_of;
 use effigy_core::{
-    frame::{SortVariant, Stage},
+    frame::{KeyBits, SortVariant, Stage},
     layout::{BIN_WORKGROUP, BinLayout, Control, SettingsBlock, bin_count},
 };
 use std::mem::offset_of;
@@ -65,6 +65,7 @@ impl Bins {
         let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
         let own = empty(gpu, "pair sort", size_of::<SettingsBlock>() as u64, uniform)?;
         let sort_inputs = SortInputs {
+            bits: KeyBits::Sixteen,
             keys: (&keys).into(),
             counts: (&counts).into(),
             control: Slice {
@@ -74,7 +75,7 @@ impl Bins {
             capacity: layout.pairs,
             counted: false,
         };
-        let sort = Sort::new(gpu, settings(&own), sort_inputs, VARIANT)?;
+        let sort = Sort::new(gpu, settings(&own), &sort_inputs, VARIANT)?;
         let mut sizes = SettingsBlock::default();
         sort.fill(&mut sizes);
         gpu.queue.write_buffer(&own, 0, bytes_of(&sizes));

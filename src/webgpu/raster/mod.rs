@@ -74,7 +74,7 @@ impl Raster {
         options: &RendererOptions,
     ) -> Result<Self> {
         let method = options.method.unwrap_or(RasterMethod::Quads);
-        let format = options.color.unwrap_or(method.color());
+        let format = options.color();
         let image = create_image(gpu, format, options.size)?;
         let view = image.create_view(&Default::default());
         let texels = wgpu_format(format);

@@ -55,7 +55,7 @@ fn each_level_agrees_with_the_reference(method: RasterMethod) {
     }
 }
 
-/// With the options of `--preset low`: the smaller, the fewer Gaussians, and never further from what
+/// With `--detail auto`: the smaller, the fewer Gaussians, and never further from what
 /// each pixel's area would show on average than the image of all of them, which is too fat at a
 /// distance.
 fn small_avatars_stay_within_the_budget() {

@@ -8,7 +8,7 @@ use crate::common::{
         Raster::{self, CooperativeTiles, Quads, SharedTiles, TestedQuads},
     },
 };
-use effigy::vulkan::{Renderer, RendererOptions, raster::RasterMethod, sort::KeyBits};
+use effigy::vulkan::{Renderer, RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::Avatar,
     frame::Skip,
@@ -22,53 +22,38 @@ use half::f16;
 
 fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
     let device = gpu::gpu();
-    for key_bits in [KeyBits::Sixteen, KeyBits::ThirtyTwo] {
-        // Without displacements of nodes, which the device rounds.
-        let mut avatar = common::avatar(5, Sizes::default());
-        avatar.nodes.basis.halves_mut().fill(f16::ZERO);
-        avatar.nodes.offset.fill([f16::ZERO; 3]);
-        let posed = Posed::new(&avatar, &common::pose(6, &avatar));
-        let camera = gpu::camera(&avatar, &posed, [200, 200]);
-        let frame = gpu::draw(
-            &device,
-            avatar,
-            posed,
-            camera,
-            RendererOptions {
-                key_bits: Some(key_bits),
-                ..gpu::options([200, 200])
-            },
+    // Without displacements of nodes, which the device rounds.
+    let mut avatar = common::avatar(5, Sizes::default());
+    avatar.nodes.basis.halves_mut().fill(f16::ZERO);
+    avatar.nodes.offset.fill([f16::ZERO; 3]);
+    let posed = Posed::new(&avatar, &common::pose(6, &avatar));
+    let camera = gpu::camera(&avatar, &posed, [200, 200]);
+    let frame = gpu::draw(&device, avatar, posed, camera, gpu::options([200, 200]));
+    let depth = |at: u32| {
+        frame.reference.splats[at as usize]
+            .as_ref()
+            .map(|splat| splat.depth)
+            .unwrap_or(f64::NAN)
+    };
+    // A key over the avatar's depth, 3 m at most, or f32's resolution there.
+    let step = 2e-6;
+    for pair in frame.gpu.order.windows(2) {
+        assert!(
+            depth(pair[0]) >= depth(pair[1]) - step,
+            "{} at {} m is drawn before {} at {} m",
+            pair[0],
+            depth(pair[0]),
+            pair[1],
+            depth(pair[1])
         );
-        let depth = |at: u32| {
-            frame.reference.splats[at as usize]
-                .as_ref()
-                .map(|splat| splat.depth)
-                .unwrap_or(f64::NAN)
-        };
-        // 16 bits over the avatar's depth, 3 m at most, or f32's resolution there.
-        let step = if key_bits == KeyBits::Sixteen {
-            3.0 / 65535.0
-        } else {
-            2e-6
-        };
-        for pair in frame.gpu.order.windows(2) {
-            assert!(
-                depth(pair[0]) >= depth(pair[1]) - step,
-                "{} at {} m is drawn before {} at {} m",
-                pair[0],
-                depth(pair[0]),
-                pair[1],
-                depth(pair[1])
-            );
-            assert!(
-                depth(pair[0]) != depth(pair[1]) || pair[0] < pair[1],
-                "equal depths of {} and {} changed order",
-                pair[0],
-                pair[1]
-            );
-        }
-        assert_eq!(frame.gpu.order.len(), frame.reference.order.len());
+        assert!(
+            depth(pair[0]) != depth(pair[1]) || pair[0] < pair[1],
+            "equal depths of {} and {} changed order",
+            pair[0],
+            pair[1]
+        );
     }
+    assert_eq!(frame.gpu.order.len(), frame.reference.order.len());
 }
 
 /// Where an avatar's first Gaussian is in a pose, metres.
@@ -229,10 +214,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         let target = first_gaussian(&avatar, &posed);
         let size = [600, 400];
         let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
-        let options = RendererOptions {
-            key_bits: Some(KeyBits::ThirtyTwo),
-            ..CooperativeTiles.options(&device.probe.name, size)
-        };
+        let options = CooperativeTiles.options(&device.probe.name, size);
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
         let bins = renderer.raster().tile_lists().unwrap().unwrap();
@@ -340,10 +322,7 @@ fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
     let mut sides = Vec::new();
     let avatar = avatar_in_bins();
     for (distance, posed, camera) in views_of_bins(&avatar) {
-        let options = RendererOptions {
-            key_bits: Some(KeyBits::ThirtyTwo),
-            ..raster.options(&device.probe.name, camera.size)
-        };
+        let options = raster.options(&device.probe.name, camera.size);
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
         renderer.finish().unwrap();

@@ -7,15 +7,11 @@ use crate::common::{
         Raster::{self, Quads, TestedQuads},
     },
 };
-use effigy::vulkan::{
-    Renderer, RendererOptions,
-    raster::RasterMethod,
-    sort::KeyBits::{self, Sixteen, ThirtyTwo},
-};
+use effigy::vulkan::{Renderer, RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Pose, motion::Player},
     constants::{ALPHA_MIN, saturation_light},
-    frame::{ColorFormat, Skip},
+    frame::{DEPTH_KEYS, Skip},
     io::splats::Splats,
     reference::{ReferenceFrame, saturation},
     scene::{AvatarBounds, Camera, Posed, Supersampling},
@@ -30,9 +26,8 @@ pub struct Sampled<'a> {
     pub camera: Camera,
     /// The word of each sample, row by row.
     pub found: Vec<u32>,
-    /// What the depths come from: the key of each splat, of so many bits, and the drawing order.
+    /// What the depths come from: the key of each splat, and the drawing order.
     pub keys: &'a [u32],
-    pub key_bits: KeyBits,
     pub order: &'a [u32],
 }
 
@@ -45,7 +40,7 @@ impl Sampled<'_> {
         let depth = |splat: Option<u32>| {
             splat.map_or(65535.0, |splat| {
                 let key = f64::from(self.keys[splat as usize]);
-                let depth = 1.0 - key / f64::from(self.key_bits.largest());
+                let depth = 1.0 - key / f64::from(DEPTH_KEYS.largest());
                 ((65535.0 * depth).round() + 1.0).min(65535.0)
             })
         };
@@ -77,9 +72,7 @@ impl Sampled<'_> {
 }
 
 /// The demo in two poses, and options with which each frame finds the saturation depth.
-pub fn sampled_frames(
-    key_bits: KeyBits,
-) -> (
+pub fn sampled_frames() -> (
     Avatar,
     impl Iterator<Item = (Posed, Camera, RendererOptions)>,
 ) {
@@ -93,7 +86,6 @@ pub fn sampled_frames(
         let options = RendererOptions {
             skip: Skip::DEPTH | Skip::FAINT,
             method: Some(RasterMethod::Quads),
-            key_bits: Some(key_bits),
             ..gpu::options(size)
         };
         (posed, camera, options)
@@ -101,9 +93,9 @@ pub fn sampled_frames(
     (avatar, frames.into_iter())
 }
 
-fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
+fn samples_are_saturated_where_the_references_are() {
     let device = gpu::drawing();
-    let (avatar, frames) = sampled_frames(key_bits);
+    let (avatar, frames) = sampled_frames();
     for (posed, camera, options) in frames {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
@@ -116,7 +108,6 @@ fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
             camera,
             found,
             keys: &stages.keys,
-            key_bits,
             order: &stages.order,
         };
         sampled.check();
@@ -171,8 +162,7 @@ fn gaps_between_samples_are_not_covered() {
         let image = |raster: Raster| {
             let options = RendererOptions {
                 supersampling: Supersampling::OFF,
-                color: Some(ColorFormat::Rgba16F),
-                key_bits: Some(ThirtyTwo),
+                exact: true,
                 ..raster.options(&device.probe.name, size)
             };
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
@@ -195,6 +185,5 @@ fn gaps_between_samples_are_not_covered() {
 
 tests! {
     gaps_between_samples_are_not_covered,
-    samples_are_saturated_where_the_references_are[Sixteen],
-    samples_are_saturated_where_the_references_are[ThirtyTwo],
+    samples_are_saturated_where_the_references_are,
 }

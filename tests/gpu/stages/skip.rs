@@ -140,7 +140,7 @@ fn with_and_without_depth(
 }
 
 /// With quads, leaving fragments behind the saturation depth to the depth test stays within the
-/// budget of the presets that have it switched on, however small the splats are in the image.
+/// budget of the defaults, which have it switched on, however small the splats are in the image.
 fn fragments_behind_the_saturation_depth_are_left_out_within_the_budget() {
     let device = gpu::drawing();
     for size in [[1440, 2280], [960, 1520], [61, 97]] {

@@ -20,7 +20,7 @@ use crate::{
 use effigy::webgpu::{Error, Gpu, Renderer};
 use effigy_core::{
     avatar::{Avatar, Filter, ShCoefficients},
-    frame::{KeyBits, RasterMethod, RendererOptions, Skinning, Skip, SortVariant},
+    frame::{RasterMethod, RendererOptions, Skinning, Skip, SortVariant},
     io::{file::Neutral, pack::PackQuality},
     layout::SORT_CULLED,
     reference,
@@ -200,8 +200,7 @@ fn fragments_behind_the_saturation_depth_are_left_out_within_the_budget() {
 fn samples_are_saturated_where_the_references_are() {
     let device = open();
     gpu::require_method(device.name(), RasterMethod::Quads);
-    let key_bits = KeyBits::Sixteen;
-    let (avatar, frames) = sampled_frames(key_bits);
+    let (avatar, frames) = sampled_frames();
     for (posed, camera, options) in frames {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera).unwrap();
@@ -213,14 +212,13 @@ fn samples_are_saturated_where_the_references_are() {
             camera,
             found,
             keys: &stages.keys,
-            key_bits,
             order: &stages.order,
         };
         sampled.check();
     }
 }
 
-/// Every bin has the splats whose boxes meet it. With 16-bit keys the order is the device's own.
+/// Every bin has the splats whose boxes meet it.
 fn each_bin_has_the_splats_that_meet_it_nearest_first() {
     let device = open();
     let avatar = avatar_in_bins();
@@ -256,7 +254,6 @@ fn stages_agree(
     let avatar = quality.map_or_else(|| avatar.clone(), |quality| avatar.packed(quality));
     let detail = Detail::FULL.at_least(quality.map_or(0, |_| 2));
     let options = RendererOptions {
-        key_bits: Some(KeyBits::Sixteen),
         skip: Skip::empty(),
         detail,
         ..gpu::options([300, 300])
@@ -453,7 +450,6 @@ fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
             .placed(glam::DAffine3::from_translation(metres * back))
     };
     let options = RendererOptions {
-        key_bits: Some(KeyBits::Sixteen),
         instances: 2,
         detail: Detail::AUTO,
         method: Some(RasterMethod::SharedTiles),
@@ -694,13 +690,6 @@ fn options_of_the_vulkan_backend_are_refused() {
                 ..options
             },
             "cooperative",
-        ),
-        (
-            RendererOptions {
-                key_bits: Some(KeyBits::TwentyTwo),
-                ..options
-            },
-            "22",
         ),
         (
             RendererOptions {

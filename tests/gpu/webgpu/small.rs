@@ -15,7 +15,7 @@ use crate::{
 use effigy::webgpu::Renderer;
 use effigy_core::{
     avatar::Avatar,
-    frame::{FrameReport, KeyBits, RendererOptions, Skip},
+    frame::{FrameReport, RendererOptions, Skip},
     reference,
     scene::{Camera, FrameImage, Posed, Supersampling},
 };
@@ -56,7 +56,6 @@ fn small_avatars_are_those_of_the_vulkan_backend(raster: Raster) {
     let (avatar, camera) = scene(2.6, LARGE);
     let avatar = common::with_near_levels(avatar);
     let options = RendererOptions {
-        key_bits: Some(KeyBits::Sixteen),
         instances: 3,
         count: true,
         ..supersampled::<Renderer>(raster, &camera, Supersampling::BySize)

@@ -10,8 +10,8 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     constants::saturation_light,
     frame::{
-        FrameState, PlanInput, RendererOptions, Skip, atlas::Slot, pose_cache::PoseCache,
-        room::Room, schedule::SATURATION_PIXELS,
+        DEPTH_KEYS, FrameState, PlanInput, RendererOptions, Skip, atlas::Slot,
+        pose_cache::PoseCache, room::Room, schedule::SATURATION_PIXELS,
     },
     reference,
     scene::{AvatarBounds, Camera, FrameImage, PartDependencies, PartSet, PixelRect, Posed},
@@ -250,7 +250,7 @@ impl ImageBound {
         drawn: PixelRect,
         tested: bool,
     ) -> Self {
-        let ordered = Ordered::new(splats, rounding.keys.largest());
+        let ordered = Ordered::new(splats, DEPTH_KEYS.largest());
         let width = size[0] as usize;
         let mut pixels = vec![PixelBound::default(); width * size[1] as usize];
         // Two rows of pixels share a row of samples of the saturation depth.

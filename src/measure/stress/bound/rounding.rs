@@ -3,7 +3,7 @@
 use effigy::vulkan::probe::Probe;
 use effigy_core::{
     constants::ALPHA_MIN,
-    frame::{ColorFormat, KeyBits, RasterMethod, RendererOptions, Skip},
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip},
 };
 
 /// Relative error of an f32 operation: Vulkan lets a device round up or down.
@@ -35,8 +35,6 @@ pub struct Rounding {
     pub method: RasterMethod,
     /// Format of the image.
     pub color: ColorFormat,
-    /// Width of the keys.
-    pub keys: KeyBits,
     /// Work that is skipped.
     pub skip: Skip,
     /// Opacity under which nothing is drawn.
@@ -71,8 +69,11 @@ impl Rounding {
         let method = options.method.unwrap_or(RasterMethod::SharedTiles);
         Self {
             method,
-            color: options.color.unwrap_or_else(|| method.color()),
-            keys: options.keys(),
+            color: RendererOptions {
+                method: Some(method),
+                ..*options
+            }
+            .color(),
             skip: options.skip,
             cutoff: options.cutoff.max(ALPHA_MIN),
             snap: 1.0 / 512.0,
