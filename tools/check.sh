@@ -57,9 +57,9 @@ commands() {
   effigy export-ply target/body.avatar --motion target/walk.motion --uniform 0.003,0.9 --out target/body.ply \
     --cameras-out target/cams.json --size 1024x1024
   effigy bench target/body.ply --cameras target/cams.json --frames 4 --check 1
-  effigy stress --cases "$1"
-  effigy bench-sort --max-keys 65536 --keys 22
-  effigy bench-device --size 256x256 --max-copy 8 --min-ms 2 --json target/rates.json
+  effigy_lab stress --cases "$1"
+  effigy_lab bench-sort --max-keys 65536 --keys 22
+  effigy_lab bench-device --size 256x256 --max-copy 8 --min-ms 2 --json target/rates.json
   effigy soak --minutes 0.2 --fps 2 --size 256x320 --late 50 --out target/soak --trace target/trace.json
   effigy compare target/soak.json target/soak.json
 }
@@ -162,7 +162,7 @@ full() {
     --config 'profile.dev.package.effigy-formats.opt-level=2' test \
     --quiet --workspace --features webgpu --test host -- large::
   step "2,000 stress cases"
-  (use_driver mesa25:256; effigy stress --cases 2000 --seed 7)
+  (use_driver mesa25:256; effigy_lab stress --cases 2000 --seed 7)
   step "soak"
   (use_driver mesa25:256; effigy soak --minutes 20 --fps 2 --size 256x320 --out target/soak)
   step "a GPU's verdict, rehearsed"

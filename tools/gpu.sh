@@ -27,6 +27,7 @@ tools/fetch_assets.sh >/dev/null || echo "without the body's source files the bu
 mkdir -p "$out"; out=$(cd "$out" && pwd)
 
 build_effigy
+effigy_lab --version >/dev/null
 tests=${EFFIGY_GPU_TESTS:-}
 if [ -z "$tests" ]; then
   echo "building the GPU tests"
@@ -40,6 +41,7 @@ work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 tree=$work/effigy-gpu
 mkdir -p "$tree"/{bin,lib,layers,data}
 strip -o "$tree/bin/effigy" "$EFFIGY"
+strip -o "$tree/bin/effigy-lab" "$EFFIGY_LAB"
 strip -o "$tree/bin/gpu-tests" "$tests"
 cp tools/gpu/run.sh "$tree/run.sh"
 

@@ -47,3 +47,13 @@ build_effigy() {
 
 # effigy ARGS...: runs it.
 effigy() { build_effigy && "$EFFIGY" "$@"; }
+
+# effigy_lab ARGS...: runs the laboratory, of the same build.
+effigy_lab() {
+  [ -n "${EFFIGY_LAB:-}" ] || EFFIGY_LAB=$(dirname "${EFFIGY:-}")/effigy-lab
+  if [ ! -x "$EFFIGY_LAB" ]; then
+    cargo build --profile desktop --quiet -p effigy-lab || return
+    EFFIGY_LAB=$(realpath -m "${CARGO_TARGET_DIR:-target}")/desktop/effigy-lab
+  fi
+  "$EFFIGY_LAB" "$@"
+}

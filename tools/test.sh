@@ -33,8 +33,8 @@ echo "building the tests"
 build=(cargo test --workspace --features webgpu)
 "${build[@]}" --no-run 2>"$results/build.log" || { cat "$results/build.log" >&2; exit 1; }
 binary() { sed -n "s|^ *Executable .*tests/$1/main.rs (\(.*\))$|\1|p" "$results/build.log"; }
-host=$(binary host) gpu=$(binary gpu) system=$(binary system)
-[ -n "$host" ] && [ -n "$gpu" ] && [ -n "$system" ] || { echo "a test binary is missing:" >&2; cat "$results/build.log" >&2; exit 1; }
+host=$(binary host) gpu=$(binary gpu) system=$(binary system) lab=$(binary lab)
+[ -n "$host" ] && [ -n "$gpu" ] && [ -n "$system" ] && [ -n "$lab" ] || { echo "a test binary is missing:" >&2; cat "$results/build.log" >&2; exit 1; }
 echo "built ($SECONDS s)"
 
 passed=0 failed=0 skipped=0
@@ -62,6 +62,7 @@ run host units "${build[@]}" --lib --bins
 run host host "$host"
 run host gpu "$gpu"
 run host system "$system"
+run host lab "$lab"
 export EFFIGY_TEST_ONLY=device EFFIGY_VALIDATION=1
 for asked in "${drivers[@]}"; do
   driver=${asked%/*}

@@ -8,7 +8,27 @@ struct Gone {
     instead: &'static str,
 }
 
+/// What tells of `effigy-lab`.
+const LAB: &str =
+    "it is in the laboratory now: `cargo run --profile desktop -p effigy-lab -- --help`";
+
 const GONE: &[Gone] = &[
+    Gone {
+        written: "stress",
+        instead: LAB,
+    },
+    Gone {
+        written: "bench-sort",
+        instead: LAB,
+    },
+    Gone {
+        written: "bench-device",
+        instead: LAB,
+    },
+    Gone {
+        written: "verdict",
+        instead: LAB,
+    },
     Gone {
         written: "phone-model",
         instead: "its last tables are in docs/experiments/068-what-phones-would-take.md",

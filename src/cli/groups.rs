@@ -16,16 +16,7 @@ const GROUPS: [CommandGroup; 4] = [
     },
     CommandGroup {
         title: "Measure",
-        commands: &[
-            "bench",
-            "bench-sort",
-            "bench-device",
-            "soak",
-            "stress",
-            "compare",
-            "verdict",
-            "devices",
-        ],
+        commands: &["bench", "soak", "compare", "devices"],
     },
     CommandGroup {
         title: "Learn",

@@ -6,6 +6,7 @@
 //!  │                               ├─ backend: Vulkan or WebGPU
 //!  │                               ├─ assets: the folder of source files and weights
 //!  │                               └─ output, picture, progress: what is written and shown
+//!  ├─ program: logging, and how an error is said
 //!  ├─ groups: the subcommands as `effigy --help` lists them
 //!  └─ advice: what a user can do about an error
 //! ```
@@ -17,8 +18,6 @@ mod backdrop;
 mod backend;
 mod bake;
 mod bench;
-mod bench_device;
-mod bench_sort;
 mod camera_path;
 mod capture;
 mod compare;
@@ -33,34 +32,40 @@ mod evaluate_capture;
 mod evaluate_video;
 mod export;
 mod export_ply;
-mod files;
+#[doc(hidden)]
+pub mod files;
 mod fit;
 mod gone;
 mod groups;
 mod import;
 mod inspect;
-mod interrupt;
+#[doc(hidden)]
+pub mod interrupt;
 mod kept;
 #[cfg(feature = "window")]
 mod live;
-mod options;
-mod output;
+#[doc(hidden)]
+pub mod options;
+#[doc(hidden)]
+pub mod output;
 mod pack;
-mod picture;
-mod progress;
+#[doc(hidden)]
+pub mod picture;
+#[doc(hidden)]
+pub mod program;
+#[doc(hidden)]
+pub mod progress;
 mod render;
 mod soak;
 pub mod source;
 #[cfg(test)]
 mod spellings;
-mod stress;
 mod thumbnail;
 mod train;
-mod verdict;
 mod view;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
-use std::{io::IsTerminal, process::ExitCode};
+use std::process::ExitCode;
 
 /// Draws animatable human avatars made of Gaussians.
 ///
@@ -71,12 +76,8 @@ use std::{io::IsTerminal, process::ExitCode};
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Print more about what happens: -v for steps, -vv for details. RUST_LOG overrides it
-    #[arg(short, long, global = true, action = clap::ArgAction::Count)]
-    verbose: u8,
-    /// Replace a file that the command reads, or the pictures of a capture, where OUT is one
-    #[arg(long, global = true)]
-    overwrite: bool,
+    #[command(flatten)]
+    global: program::GlobalArgs,
 }
 
 /// Every subcommand. [`groups`] says under which heading each is listed.
@@ -90,18 +91,10 @@ enum Command {
     Capture(capture::Args),
     /// Measure time, error and memory
     Bench(bench::Args),
-    /// Measure the sort alone: keys per second by count, key bits and variant
-    BenchSort(bench_sort::Args),
-    /// Measure the GPU itself: bandwidth of copies, and fill rates
-    BenchDevice(bench_device::Args),
     /// Draw for minutes at a promised rate, and watch rate, heat and memory
     Soak(soak::Args),
-    /// Draw hard cases and compare them with the f64 reference
-    Stress(stress::Args),
     /// Compare two measurements: of `bench --json`, or of `soak`
     Compare(compare::Args),
-    /// Join what tools/gpu/run.sh measured on a GPU to one report
-    Verdict(verdict::Args),
     /// List the GPUs: what each has, what is missing and what Effigy would use
     Devices(devices::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
@@ -140,12 +133,8 @@ impl Command {
             Self::Render(args) => render::run(args),
             Self::Capture(args) => capture::run(args),
             Self::Bench(args) => bench::run(args),
-            Self::BenchSort(args) => bench_sort::run(args),
-            Self::BenchDevice(args) => bench_device::run(args),
             Self::Soak(args) => soak::run(args),
-            Self::Stress(args) => stress::run(args),
             Self::Compare(args) => compare::run(args),
-            Self::Verdict(args) => verdict::run(args),
             Self::Devices(args) => devices::run(args),
             Self::Bake(args) => bake::run(args),
             Self::Dataset(args) => dataset::run(args),
@@ -164,41 +153,6 @@ impl Command {
     }
 }
 
-/// Makes a closed pipe, as in `effigy devices | head -3`, end the program without a message, with
-/// the exit code that a shell reports for SIGPIPE.
-fn end_quietly_on_closed_pipe() {
-    let default_hook = std::panic::take_hook();
-    std::panic::set_hook(Box::new(move |panic| {
-        let message = panic
-            .payload()
-            .downcast_ref::<String>()
-            .map_or("", String::as_str);
-        let is_printing = message.starts_with("failed printing to std");
-        if is_printing && message.contains("Broken pipe") {
-            std::process::exit(141);
-        }
-        default_hook(panic);
-    }));
-}
-
-/// Logs to standard error: warnings, and more with each `-v`, unless RUST_LOG says otherwise.
-fn start_logging(verbose: u8) {
-    let level = match verbose {
-        0 => "warn",
-        1 => "info",
-        _ => "debug",
-    };
-    let filter = tracing_subscriber::EnvFilter::try_from_default_env()
-        .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new(format!("effigy={level}")));
-    tracing_subscriber::fmt()
-        .with_env_filter(filter)
-        .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none())
-        .without_time()
-        .with_target(false)
-        .init();
-}
-
 /// The command line as clap has it, with the subcommands listed in groups.
 fn command() -> clap::Command {
     let command = Cli::command();
@@ -206,35 +160,13 @@ fn command() -> clap::Command {
     command.help_template(template)
 }
 
-/// Runs the program. An error is printed to standard error in one line, with advice in a second
-/// line where there is any.
+/// Runs the program.
 pub fn main() -> ExitCode {
-    end_quietly_on_closed_pipe();
-    if let Some(commit) = option_env!("EFFIGY_COMMIT") {
-        effigy_measure::set_commit(commit);
-    }
-    let matches = command()
-        .try_get_matches()
-        .unwrap_or_else(|error| gone::explained(error).exit());
-    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    start_logging(cli.verbose);
-    let result = output::check_arguments(&matches).and_then(|()| match cli.command {
-        Some(command) => command.run(),
-        None => view::run_default(),
-    });
-    let Err(error) = result else {
-        return ExitCode::SUCCESS;
-    };
-    if let Some(code) = error
-        .downcast_ref::<train::Ended>()
-        .map(train::Ended::exit_code)
-    {
-        eprintln!("{error:#}");
-        return ExitCode::from(code);
-    }
-    eprintln!("error: {error:#}");
-    if let Some(advice) = advice::for_error(&error) {
-        eprintln!("help: {advice}");
-    }
-    ExitCode::FAILURE
+    program::run(command(), |matches| {
+        let cli = Cli::from_arg_matches(matches).unwrap_or_else(|error| error.exit());
+        match cli.command {
+            Some(command) => command.run(),
+            None => view::run_default(),
+        }
+    })
 }

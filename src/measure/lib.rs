@@ -2,10 +2,6 @@
 //!
 //! - [`mod@bench`] measures time, error, memory and bytes, case by case, and compares reports.
 //! - [`soak`] draws for minutes at a promised rate and records every second.
-//! - [`stress`] draws hard cases and compares them with the reference.
-//! - [`rates`] measures what a device manages in a second, whatever is drawn.
-//! - [`sorts`] is the report of the sort alone.
-//! - [`verdict`] joins a run's measurements on one GPU to one report.
 //! - [`packing`] measures what each step of packing an avatar saves and costs.
 //! - [`bytes`] computes the bytes and operations of each stage, and their minimum.
 //! - [`error`] is the error of an image: PSNR and largest error.
@@ -26,14 +22,10 @@ pub mod error;
 pub mod flicker;
 pub mod flip;
 pub mod packing;
-pub mod rates;
 pub mod report;
 pub mod setting;
 pub mod similarity;
 pub mod soak;
-pub mod sorts;
-pub mod stress;
-pub mod verdict;
 pub mod viewpoint;
 
 use glam::{DAffine3, DVec3};

@@ -511,7 +511,18 @@ pub fn clip(seed: u64, avatar: &Avatar, frames: usize) -> Clip {
 /// The program that tests of commands run: the one that was built with them, or on another machine
 /// the one that `EFFIGY_PROGRAM` names.
 pub fn program() -> OsString {
-    std::env::var_os("EFFIGY_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_effigy").into())
+    let built = option_env!("CARGO_BIN_EXE_effigy").unwrap_or("not built with these tests");
+    std::env::var_os("EFFIGY_PROGRAM").unwrap_or_else(|| built.into())
+}
+
+/// The laboratory, which is built with its own tests, or lies beside the program.
+pub fn lab() -> OsString {
+    match option_env!("CARGO_BIN_EXE_effigy-lab") {
+        Some(built) => built.into(),
+        None => std::path::Path::new(&program())
+            .with_file_name("effigy-lab")
+            .into(),
+    }
 }
 
 /// The folder of the body's source files. Ends the test where it isn't there.

@@ -21,7 +21,7 @@ struct Layers {
 const LAYERS: &[Layers] = &[
     Layers {
         package: "src",
-        modules: &["hash", "ndk", "quirks", "wgsl", "vulkan", "webgpu"],
+        modules: &["hash", "ndk", "quirks", "vulkan", "webgpu"],
     },
     Layers {
         package: "src/app",
@@ -106,11 +106,8 @@ const LAYERS: &[Layers] = &[
             "source",
             "spellings",
             "compare",
-            "verdict",
             "thumbnail",
             "inspect",
-            "bench_device",
-            "bench_sort",
             "devices",
             "bake",
             "dataset",
@@ -128,11 +125,11 @@ const LAYERS: &[Layers] = &[
             "camera_path",
             "render",
             "soak",
-            "stress",
             "dropped",
             "view",
             "live",
             "train",
+            "program",
         ],
     },
     Layers {
@@ -203,6 +200,10 @@ const LAYERS: &[Layers] = &[
         ],
     },
     Layers {
+        package: "src/lab",
+        modules: &["rates", "sorts", "stress", "verdict", "commands"],
+    },
+    Layers {
         package: "src/measure",
         modules: &[
             "bytes",
@@ -215,12 +216,8 @@ const LAYERS: &[Layers] = &[
             "similarity",
             "report",
             "flicker",
-            "rates",
-            "sorts",
             "soak",
-            "stress",
             "bench",
-            "verdict",
             "packing",
         ],
     },
@@ -293,11 +290,11 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/wgsl",
-        modules: &[],
+        modules: &["translate"],
     },
     Layers {
         package: "tools/shaders",
-        modules: &["translate"],
+        modules: &[],
     },
 ];
 

@@ -66,17 +66,14 @@ const COMMANDS: [(&str, &[&str]); 15] = [
 
 /// Commands that work for long, most of them on a device, each with files that it makes. None gets so
 /// far here: its folder has nothing that it could read.
-const LONG_COMMANDS: [(&str, &[&str]); 16] = [
+const LONG_COMMANDS: [(&str, &[&str]); 13] = [
     (
         "bench --json o.json --csv o.csv --strip o.png",
         &["o.json", "o.csv", "o.png"],
     ),
     ("bench --pareto o.svg --trace o.json", &["o.svg", "o.json"]),
-    ("bench-sort --json o.json", &["o.json"]),
-    ("bench-device --json o.json", &["o.json"]),
     ("soak --out o", &["o.csv", "o.json"]),
     ("soak --out x --trace o.json", &["o.json"]),
-    ("stress --json o.json", &["o.json"]),
     ("devices --json o.json", &["o.json"]),
     ("devices --shader-stats --csv o.csv", &["o.csv"]),
     ("bake body --out o.avatar", &["o.avatar"]),
@@ -234,10 +231,7 @@ fn without_permission_nothing_is_begun() {
 /// Reports of a device, whose times differ from run to run.
 fn reports_of_devices_are_whole_or_as_they_were() {
     gpu::gpu();
-    for arguments in [
-        "devices --json",
-        "bench-device --size 64x64 --max-copy 1 --min-ms 1 --json",
-    ] {
+    for arguments in ["devices --json"] {
         let folder = folder();
         fails(
             folder.path(),
@@ -420,7 +414,6 @@ fn names_that_promise_something_else_are_refused() {
         ("view --trace body.avatar", "write body.json"),
         ("bake motion 01_01.bvh a.bvh", "write a.motion"),
         ("devices --json a.avatar", "write a.json"),
-        ("stress --case 1 --out scan.ply", "is a file"),
         (
             "dataset small.motion --pictures --out shot.capture",
             "has a capture: name another folder",

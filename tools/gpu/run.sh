@@ -91,8 +91,8 @@ bench() { # NAME ARGS...
 do_step() { # NAME SECONDS
   case $1 in
     devices) "$effigy" devices --json "$work/devices.json" && "$effigy" devices ;;
-    rates) "$effigy" bench-device "${rates[@]}" --json "$work/rates.json" ;;
-    sorts) "$effigy" bench-sort --subgroups --minutes 60 "${sorts[@]}" --json "$work/sorts.json" ;;
+    rates) "$here/bin/effigy-lab" bench-device "${rates[@]}" --json "$work/rates.json" ;;
+    sorts) "$here/bin/effigy-lab" bench-sort --subgroups --minutes 60 "${sorts[@]}" --json "$work/sorts.json" ;;
     tests)
       "$here/bin/gpu-tests" --list "${tests[@]}" > "$work/tests-list.txt" &&
         VK_LAYER_PATH=$here/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1 EFFIGY_VALIDATION=1 \
@@ -143,7 +143,7 @@ run_step() { # NAME LIMIT
 # What was measured so far comes back, whatever ends the run.
 finish() {
   trap - EXIT
-  timeout -k 5 $verdict_seconds "$effigy" verdict "$work" --json "$out/verdict.json" --markdown "$out/verdict.md"
+  timeout -k 5 $verdict_seconds "$here/bin/effigy-lab" verdict "$work" --json "$out/verdict.json" --markdown "$out/verdict.md"
   local code=$?
   rm -rf "$work/cache"
   tar czf "$out/logs.tar.gz" -C "$work" .

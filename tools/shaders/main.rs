@@ -136,7 +136,8 @@ fn write_web(sources: &Sources, output: &mut Output) -> anyhow::Result<()> {
         let words = sources.compile_for_web(module)?;
         output.file(&folder, &module.compiled(), &words)?;
         let source = fingerprint(sources.shaders, module.file)?;
-        let fingerprint = module_fingerprint(source, &[module.macro_text().as_bytes(), &words].concat());
+        let fingerprint =
+            module_fingerprint(source, &[module.macro_text().as_bytes(), &words].concat());
         fingerprints += &format!("{} {fingerprint:016x}\n", module.name);
     }
     output.file(&folder.join("spv"), FINGERPRINTS, fingerprints.as_bytes())

@@ -135,7 +135,7 @@ fn too_little_room_is_refused() {
         Ok(_) => panic!("drawn without room"),
         Err(error) => error.to_string(),
     };
-    assert!(error.contains("900") && error.contains("3002"), "{error}");
+    assert!(error.contains("900") && error.contains("3001"), "{error}");
 }
 
 tests! {

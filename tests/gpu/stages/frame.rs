@@ -13,7 +13,8 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     scene::{Camera, Posed},
 };
-use effigy_measure::{error, stress::Rasterizer};
+use effigy_lab::stress::Rasterizer;
+use effigy_measure::error;
 use std::sync::Arc;
 
 fn compare(exact: bool, psnr: f64, within: f64) {

@@ -8,7 +8,7 @@ use effigy_core::{
     reference,
     scene::{Camera, Posed},
 };
-use effigy_measure::stress::{self, Category, StressCase, StressSettings};
+use effigy_lab::stress::{self, Category, StressCase, StressSettings};
 use half::f16;
 use std::ops::Range;
 

@@ -1,14 +1,14 @@
-//! `effigy bench-device`: what the GPU itself manages, whatever is drawn: bandwidth of copies, and
+//! `effigy-lab bench-device`: what the GPU itself manages, whatever is drawn: bandwidth of copies, and
 //! fill rates.
 
-use crate::{
+use crate::rates::{CopyReport, FillReport, RatesReport, RatesSettings, measure_rates};
+use anyhow::ensure;
+use effigy::vulkan::Gpu;
+use effigy_cli::{
     options::{self, DeviceArgs},
     output::{JSON, Output},
     progress,
 };
-use anyhow::ensure;
-use effigy::vulkan::Gpu;
-use effigy_measure::rates::{CopyReport, FillReport, RatesReport, RatesSettings, measure_rates};
 use std::time::Duration;
 
 #[derive(clap::Args, Debug)]

@@ -1,12 +1,12 @@
 //! What a device manages in a second, measured: bytes that it copies and fragments that it fills an
 //! image with. [`measure_rates`] makes a [`RatesReport`], whose fields are the keys of the JSON.
 
-use crate::report::{DeviceReport, Program};
 use effigy::vulkan::{
     Gpu, Result, RunTimes,
     raster::ColorFormat,
     rates::{Copy, CopyMethod, Fill, FillOrder, FillShape, Filling, MOST_LAYERS},
 };
+use effigy_measure::report::{DeviceReport, Program};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeSet, sync::Arc, time::Duration};
 
@@ -299,7 +299,6 @@ fn median_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::tests::{device, program};
     use std::cell::RefCell;
 
     fn copy(bytes: u64, method: CopyMethod, rate: f64) -> CopyReport {
@@ -316,8 +315,15 @@ mod tests {
     fn report(copies: Vec<CopyReport>) -> RatesReport {
         RatesReport {
             schema: SCHEMA.into(),
-            program: program(),
-            device: device(),
+            program: Program::current(Vec::new()),
+            device: DeviceReport {
+                name: "A".into(),
+                driver: "B".into(),
+                vulkan: "1.3.0".into(),
+                subgroup_size: 8,
+                timestamps: true,
+                backend: "vulkan".into(),
+            },
             copies,
             fill_size: [4, 4],
             fills: Vec::new(),

@@ -1,20 +1,18 @@
-//! `effigy stress`: hard cases against the f64 reference, from a seed.
+//! `effigy-lab stress`: hard cases against the f64 reference, from a seed.
 
-use crate::{
+use crate::stress::{
+    self, BoundUse, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings,
+};
+use anyhow::{Context, ensure};
+use effigy::vulkan::Gpu;
+use effigy_cli::{
     files,
     options::DeviceArgs,
     output::{JSON, Output, OutputFolder},
     picture, progress,
 };
-use anyhow::{Context, ensure};
-use effigy::vulkan::Gpu;
 use effigy_core::scene::FrameImage;
-use effigy_measure::{
-    error::ErrorMetrics,
-    stress::{
-        self, BoundUse, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings,
-    },
-};
+use effigy_measure::error::ErrorMetrics;
 use std::{
     path::{Path, PathBuf},
     sync::Arc,
@@ -302,7 +300,7 @@ fn write_case(case: &StressCase, outcome: &CaseOutcome, folder: &Path) -> anyhow
 #[cfg(test)]
 mod tests {
     use super::*;
-    use effigy_measure::stress::Category;
+    use crate::stress::Category;
 
     #[test]
     fn a_case_is_its_seed_and_number() {

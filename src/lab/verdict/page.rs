@@ -2,10 +2,12 @@
 
 use super::{Verdict, named_bench::NamedBench, test_results::TestResults, traffic::StageTraffic};
 use crate::{
-    bench::report::{CaseReport, ErrorReport, SweepReport},
     rates::RatesReport,
-    soak::SoakReport,
     sorts::{SortRow, SortsReport},
+};
+use effigy_measure::{
+    bench::report::{CaseReport, ErrorReport, SweepReport},
+    soak::SoakReport,
 };
 
 /// The case whose stages are listed one by one.

@@ -1,6 +1,6 @@
 //! A measurement of frames under a name.
 
-use crate::bench::BenchReport;
+use effigy_measure::bench::BenchReport;
 use serde::{Deserialize, Serialize};
 
 /// A measurement of frames.

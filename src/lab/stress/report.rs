@@ -6,7 +6,7 @@ use super::{
     category::Category,
     check::CaseOutcome,
 };
-use crate::error::{ErrorMetrics, RegionError};
+use effigy_measure::error::{ErrorMetrics, RegionError};
 use serde::Serialize;
 
 /// The results of a category's cases.

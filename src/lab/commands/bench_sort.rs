@@ -1,11 +1,7 @@
-//! `effigy bench-sort`: keys per second by count, key bits and variant, each result checked against
+//! `effigy-lab bench-sort`: keys per second by count, key bits and variant, each result checked against
 //! the CPU first.
 
-use crate::{
-    options::{self, DeviceArgs, SortArg},
-    output::{JSON, Output},
-    progress,
-};
+use crate::sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name};
 use anyhow::ensure;
 use clap::ValueEnum;
 use effigy::vulkan::{
@@ -16,11 +12,15 @@ use effigy::vulkan::{
         standalone::{self, StandaloneSort},
     },
 };
+use effigy_cli::{
+    options::{self, DeviceArgs, SortArg},
+    output::{JSON, Output},
+    progress,
+};
 use effigy_core::random::hash;
 use effigy_measure::{
     WARM_UP,
     report::{DeviceReport, Program},
-    sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name},
 };
 use std::{
     fmt::Write,

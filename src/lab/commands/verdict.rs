@@ -1,8 +1,8 @@
-//! `effigy verdict`: joins what a run of `tools/gpu/run.sh` measured to one JSON and one page.
+//! `effigy-lab verdict`: joins what a run of `tools/gpu/run.sh` measured to one JSON and one page.
 
-use crate::output::{JSON, MARKDOWN, Output};
+use crate::verdict::Verdict;
 use anyhow::{Context, ensure};
-use effigy_measure::verdict::Verdict;
+use effigy_cli::output::{JSON, MARKDOWN, Output};
 use std::path::PathBuf;
 
 #[derive(clap::Args, Debug)]

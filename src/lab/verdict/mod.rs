@@ -17,11 +17,13 @@ pub use test_results::{NotRun, TestResults};
 pub use traffic::StageTraffic;
 
 use crate::{
-    bench,
     rates::{self, RatesReport},
+    sorts::{self, SortsReport},
+};
+use effigy_measure::{
+    bench,
     report::{Program, read_report},
     soak::{self, SoakReport},
-    sorts::{self, SortsReport},
 };
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::{fs, io, path::Path};

@@ -1,7 +1,7 @@
 //! The report of the sort alone, by count, key bits and variant. [`SortsReport`] is the whole JSON
 //! file; the fields are its keys.
 
-use crate::report::{DeviceReport, Program};
+use effigy_measure::report::{DeviceReport, Program};
 use serde::{Deserialize, Serialize};
 
 /// Version of the JSON. It changes whenever an older program could misread a newer file.

@@ -1,0 +1,6 @@
+//! The subcommands of `effigy-lab`.
+
+pub mod bench_device;
+pub mod bench_sort;
+pub mod stress;
+pub mod verdict;

@@ -1,0 +1,63 @@
+//! Effigy's laboratory: the program `effigy-lab`, for those who develop Effigy or judge a device.
+//!
+//! - [`stress`] draws hard cases and compares them with the reference.
+//! - [`rates`] measures what a device manages in a second, whatever is drawn.
+//! - [`sorts`] is the report of the sort alone.
+//! - [`verdict`] joins a run's measurements on one GPU to one report.
+//! - `commands` has the subcommands.
+
+mod commands;
+pub mod rates;
+pub mod sorts;
+pub mod stress;
+pub mod verdict;
+
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use commands::{bench_device, bench_sort};
+use effigy_cli::program::{self, GlobalArgs};
+use std::process::ExitCode;
+
+/// Tries Effigy and devices to their limits: for those who develop Effigy.
+#[derive(Debug, Parser)]
+#[command(name = "effigy-lab", version, propagate_version = true)]
+struct Lab {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    global: GlobalArgs,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Draw hard cases and compare them with the f64 reference
+    Stress(commands::stress::Args),
+    /// Measure the sort alone: keys per second by count, key bits and variant
+    BenchSort(bench_sort::Args),
+    /// Measure the GPU itself: bandwidth of copies, and fill rates
+    BenchDevice(bench_device::Args),
+    /// Join what tools/gpu/run.sh measured on a GPU to one report
+    Verdict(commands::verdict::Args),
+}
+
+/// Runs the program.
+pub fn main() -> ExitCode {
+    program::run(Lab::command(), |matches| {
+        let lab = Lab::from_arg_matches(matches).unwrap_or_else(|error| error.exit());
+        match lab.command {
+            Command::Stress(args) => commands::stress::run(args),
+            Command::BenchSort(args) => bench_sort::run(args),
+            Command::BenchDevice(args) => bench_device::run(args),
+            Command::Verdict(args) => commands::verdict::run(args),
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clap_accepts_the_command_line() {
+        Lab::command().debug_assert();
+    }
+}
