@@ -77,7 +77,6 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | `hash` | FNV-1a, for the names of caches and fingerprints |
 //! | `ndk` | sections for Android's tracer |
 //! | `quirks` | what single drivers do wrong or best |
 //! | [`vulkan`] | the stages on Vulkan |
@@ -89,7 +88,6 @@
 //! the shaders in WGSL; this package draws, on Vulkan ([`vulkan`]) and WebGPU. The viewer, measuring, learning and the command line
 //! are packages above it.
 
-mod hash;
 #[cfg(not(target_arch = "wasm32"))]
 #[doc(hidden)]
 pub mod ndk;

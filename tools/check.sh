@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What to run before others see a change, in three tiers.
-# usage: tools/check.sh quick|gate|full
+# What to run before others see a change, in three tiers; and what to run after each change of a shader.
+# usage: tools/check.sh quick|gate|full|shader TEST...
 #   quick  format, lints, tests without a device but for the long ones, twelve smoke tests on one driver
 #          (EFFIGY_CHECK_DRIVER, default mesa25:256): under two minutes after a change of one line
 #   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits, all that
@@ -9,6 +9,8 @@
 #   full   before an issue is closed: gate, and all tests at every width and on Mesa 22, the packages as they are
 #          released, 2,000 stress cases, a soak, the documentation's links, the compiled shaders compared with their
 #          sources. docs/development.md says why each is not in gate.
+#   shader TEST...   compiles what is older than its sources, and runs tests of `gpu`, such as stages::sort, with it and as
+#          they were built last: seconds after a change of a shader alone (EFFIGY_CHECK_DRIVER as for quick)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -174,7 +176,18 @@ full() {
   cargo run --release --quiet -p effigy-shaders --features compile -- --check
 }
 
+shader() {
+  need 'command -v cmake' cmake g++
+  cargo run --release --quiet -p effigy-shaders --features compile
+  use_driver "${EFFIGY_CHECK_DRIVER:-mesa25:256}"
+  # Not by cargo, which would build all that includes the modules.
+  local tests; tests=$(ls -t "$target"/debug/deps/gpu-* 2>/dev/null | grep -v '\.d$' | head -n 1)
+  [ -n "$tests" ] || { echo "build the tests first: cargo test --workspace --features webgpu --no-run" >&2; return 1; }
+  EFFIGY_SHADERS=$PWD/shaders/spv EFFIGY_VALIDATION=1 EFFIGY_TEST_ONLY=device "$tests" "$@"
+}
+
 case ${1:-} in
   quick | gate | full) "$1"; step "done" ;;
+  shader) shift; shader "$@"; step "done" ;;
   *) usage >&2; exit 2 ;;
 esac

@@ -13,19 +13,11 @@ fn parse(arguments: &str) -> Result<String, clap::Error> {
 }
 
 /// Old spellings, each with the new one. CHANGELOG.md lists them.
-const OLD: [(&str, &str); 14] = [
+const OLD: [(&str, &str); 12] = [
     ("view --raster hulls", "view --raster quads"),
     ("render --least", "render --baseline"),
     ("render --sort selfscan", "render --sort reduce-then-scan"),
     ("render --sort lanescan", "render --sort per-thread"),
-    (
-        "bench-sort --sort onesweep,selfscan,lanescan",
-        "bench-sort --sort onesweep,reduce-then-scan,per-thread",
-    ),
-    (
-        "bench-sort --smallest 9 --largest 99",
-        "bench-sort --min-keys 9 --max-keys 99",
-    ),
     ("bench --rows 0.5", "bench --row-share 0.5"),
     (
         "bake motion a.bvh --out a.motion --rate 30",

@@ -1,7 +1,7 @@
 //! Avatars and frames, independent of what draws them. Modules import only modules above them in
 //! this list:
 //!
-//! - [`constants`], [`random`], `each`: constants, random numbers, work on all cores
+//! - [`constants`], [`hash`], [`random`], `each`: constants, FNV-1a, random numbers, work on all cores
 //! - [`avatar`]: the model as plain arrays, its skeleton, poses and clips
 //! - [`layout`]: the GPU's structs, constants and packed arrays
 //! - [`scene`]: camera, posed avatar, bounds, images
@@ -15,6 +15,7 @@ pub mod constants;
 mod demo;
 mod each;
 pub mod frame;
+pub mod hash;
 pub mod io;
 pub mod layout;
 pub mod random;

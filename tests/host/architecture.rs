@@ -21,7 +21,7 @@ struct Layers {
 const LAYERS: &[Layers] = &[
     Layers {
         package: "src",
-        modules: &["hash", "ndk", "quirks", "vulkan", "webgpu"],
+        modules: &["ndk", "quirks", "vulkan", "webgpu"],
     },
     Layers {
         package: "src/app",
@@ -136,6 +136,7 @@ const LAYERS: &[Layers] = &[
         package: "src/core",
         modules: &[
             "constants",
+            "hash",
             "random",
             "each",
             "avatar",
@@ -290,7 +291,7 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/wgsl",
-        modules: &["translate"],
+        modules: &["modules", "translate"],
     },
     Layers {
         package: "tools/shaders",

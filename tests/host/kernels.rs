@@ -176,7 +176,7 @@ fn compiled(file: &str) -> Bindings {
         .iter()
         .find(|module| module.file == file)
         .unwrap_or_else(|| panic!("{file} is no module"));
-    let loaded = dr::load_bytes(module.spirv).expect(module.file);
+    let loaded = dr::load_bytes(module.spirv()).expect(module.file);
     Walk::new(&loaded).accesses()
 }
 

@@ -21,8 +21,8 @@ struct Reflection {
 
 impl Reflection {
     fn new(module: &Module) -> Self {
-        let module =
-            dr::load_bytes(module.spirv).unwrap_or_else(|error| panic!("{}: {error}", module.file));
+        let module = dr::load_bytes(module.spirv())
+            .unwrap_or_else(|error| panic!("{}: {error}", module.file));
         let types = module
             .types_global_values
             .iter()

@@ -1,7 +1,8 @@
 //! The compiled shader modules match their sources and WebGPU's limits.
 
-use effigy::vulkan::shaders::{FINGERPRINTS, MODULES, Module, fingerprint, module_fingerprint};
+use effigy::vulkan::shaders::{MODULES, Module};
 use effigy_core::layout::{self, MacroValue};
+use effigy_shaders::{FINGERPRINTS, WEB_MODULES, fingerprint, sources};
 use effigy_wgsl as web;
 use std::{
     collections::BTreeSet,
@@ -42,46 +43,39 @@ fn modules() -> impl Iterator<Item = &'static Module> {
     MODULES.iter().chain(trained).copied()
 }
 
-fn spirv_matches_its_sources() {
-    let recorded = fs::read_to_string(shaders().join("spv").join(FINGERPRINTS)).unwrap();
-    for module in modules() {
-        let source = fingerprint(&shaders(), module.file).unwrap();
-        let now = module_fingerprint(source, module.spirv);
-        let line = format!("{} {now:016x}", module.file);
+/// Checks the record of a folder of compiled modules: names, sources and macros.
+fn matches_its_sources<'a>(
+    folder: &Path,
+    modules: impl Iterator<Item = (&'a str, &'a str, &'a [(&'a str, &'a str)])>,
+) {
+    let recorded = fs::read_to_string(folder.join(FINGERPRINTS)).unwrap();
+    let mut count = 0;
+    for (name, file, macros) in modules {
+        let spirv = fs::read(folder.join(format!("{name}.spv"))).unwrap();
+        let now = fingerprint(&shaders(), file, macros, &spirv).unwrap();
+        let line = format!("{name} {now:016x}");
         assert!(
             recorded.lines().any(|known| known == line),
-            "{} or a file that it includes changed: {REMEDY}",
-            module.file
+            "{file} or a file that it includes changed after {name}.spv was written: {REMEDY}"
         );
+        count += 1;
     }
-    assert_eq!(
-        recorded.lines().count(),
-        modules().count(),
-        "modules on record"
-    );
+    assert_eq!(recorded.lines().count(), count, "modules on record");
+}
+
+fn spirv_matches_its_sources() {
+    let files = sources(&shaders()).unwrap();
+    let modules = files
+        .iter()
+        .map(|file| (file.as_str(), file.as_str(), &[][..]));
+    matches_its_sources(&shaders().join("spv"), modules);
 }
 
 fn wgsl_matches_its_sources() {
-    let folder = web_folder();
-    let recorded = fs::read_to_string(folder.join("spv").join(FINGERPRINTS)).unwrap();
-    for module in web::MODULES {
-        let source = fingerprint(&shaders(), module.file).unwrap();
-        let spirv = fs::read(folder.join(module.compiled())).unwrap();
-        let compiled = [module.macro_text().as_bytes(), &spirv].concat();
-        let now = module_fingerprint(source, &compiled);
-        let line = format!("{} {now:016x}", module.name);
-        assert!(
-            recorded.lines().any(|known| known == line),
-            "{} or a file that it includes changed after {} was written: {REMEDY}",
-            module.file,
-            module.compiled()
-        );
-    }
-    assert_eq!(
-        recorded.lines().count(),
-        web::MODULES.len(),
-        "modules on record"
-    );
+    let modules = WEB_MODULES
+        .iter()
+        .map(|module| (module.name, module.file, module.macros));
+    matches_its_sources(&web_folder().join("spv"), modules);
 }
 
 fn compiled_files_are_those_of_the_modules() {
@@ -90,11 +84,10 @@ fn compiled_files_are_those_of_the_modules() {
         spirv.insert(module.compiled());
     }
     assert_eq!(files(&shaders().join("spv")), spirv);
-    let modules = web::MODULES.iter().map(|module| module.compiled());
-    let web: BTreeSet<String> = modules.chain([format!("spv/{FINGERPRINTS}")]).collect();
-    let found = files(&web_folder().join("spv"));
-    let found: BTreeSet<String> = found.iter().map(|file| format!("spv/{file}")).collect();
-    assert_eq!(found, web);
+    let modules = WEB_MODULES.iter();
+    let web = modules.map(|module| format!("{}.spv", module.name));
+    let web: BTreeSet<String> = web.chain([FINGERPRINTS.to_string()]).collect();
+    assert_eq!(files(&web_folder().join("spv")), web);
 }
 
 fn wgsl_stays_within_the_default_limits() {

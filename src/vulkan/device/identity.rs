@@ -1,7 +1,7 @@
 //! What a remembered measurement depends on: the device, its driver, and the program's shaders.
 
 use super::gpu::Gpu;
-use crate::hash;
+use effigy_core::hash;
 use serde::{Deserialize, Serialize};
 
 /// Everything that a measurement on a device depends on. If any of it has changed, what is

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// A shader module, which lives while its pipeline is made.
 pub(crate) fn shader_module(gpu: &Arc<Gpu>, module: &Module) -> Result<ShaderModule> {
-    let code: Vec<u32> = bytemuck::pod_collect_to_vec(module.spirv);
+    let code: Vec<u32> = bytemuck::pod_collect_to_vec(&module.spirv());
     let info = vk::ShaderModuleCreateInfo::default().code(&code);
     // SAFETY: `info` outlives the call; the code is compiled and validated when it is committed.
     // The module is new and belongs to its owner.

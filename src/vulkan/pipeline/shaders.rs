@@ -2,26 +2,36 @@
 //! compiler.
 //!
 //! After a change to a shader run `cargo run --release -p effigy-shaders --features compile --bin
-//! compile-shaders`. A test compares [`fingerprint`]s and fails if a module is older than its
-//! source.
+//! compile-shaders`. A test fails if a module is older than its source.
 
-use crate::hash;
 use ash::vk;
-use effigy_core::layout;
-use std::{fs, io, path::Path, sync::LazyLock};
+use effigy_core::hash;
+use std::{borrow::Cow, sync::LazyLock};
 
 /// A shader and what it compiles to.
 pub struct Module {
     /// Path of the source below `shaders`, such as `sort/count.comp`.
     pub file: &'static str,
     /// What it compiles to.
-    pub spirv: &'static [u8],
+    spirv: &'static [u8],
 }
 
 impl Module {
     /// A shader of another package. `file`: below `shaders`.
     pub const fn new(file: &'static str, spirv: &'static [u8]) -> Self {
         Self { file, spirv }
+    }
+
+    /// What it compiles to. In a debug build, the file in the folder that `EFFIGY_SHADERS` names, if
+    /// there is one: a changed shader is tried without building what includes it.
+    pub fn spirv(&self) -> Cow<'static, [u8]> {
+        if cfg!(debug_assertions)
+            && let Some(folder) = std::env::var_os("EFFIGY_SHADERS")
+            && let Ok(spirv) = std::fs::read(std::path::Path::new(&folder).join(self.compiled()))
+        {
+            return spirv.into();
+        }
+        self.spirv.into()
     }
 
     /// The pipeline stage that the module is for, from the file's extension.
@@ -103,41 +113,7 @@ pub(crate) fn all_hash() -> u64 {
 
 fn hash_of(is_meant: impl Fn(&Module) -> bool) -> u64 {
     let modules = MODULES.iter().filter(|module| is_meant(module));
-    let bytes = modules.flat_map(|module| module.spirv);
-    hash::extend(hash::EMPTY, bytes.copied())
-}
-
-/// File in `shaders/spv` with a line `name fingerprint` for each module.
-pub const FINGERPRINTS: &str = "fingerprints.txt";
-
-/// A hash of the source's own [`fingerprint`] and of what is compiled from it.
-pub fn module_fingerprint(source: u64, compiled: &[u8]) -> u64 {
-    let bytes = source.to_le_bytes().into_iter();
-    hash::extend(hash::EMPTY, bytes.chain(compiled.iter().copied()))
-}
-
-/// A hash (FNV-1a) of a shader's text, of every file that it includes and of the macros that it is
-/// compiled with. `shaders` is the folder of the sources, `file` a path in it.
-pub fn fingerprint(shaders: &Path, file: &str) -> io::Result<u64> {
-    let mut hash = hash::EMPTY;
-    let mut add = |text: &str| hash = hash::extend(hash, text.bytes());
-    for (name, value) in layout::MACROS {
-        add(&format!("{name}={};", value.glsl()));
-    }
-    let mut queue = vec![file.to_string()];
-    let mut seen = 0;
-    while let Some(name) = queue.get(seen).cloned() {
-        seen += 1;
-        let text = fs::read_to_string(shaders.join(&name))?;
-        add(&text);
-        for included in text
-            .lines()
-            .filter_map(|line| line.trim().strip_prefix("#include \"")?.strip_suffix('"'))
-        {
-            if !queue.iter().any(|known| known == included) {
-                queue.push(included.to_string());
-            }
-        }
-    }
-    Ok(hash)
+    modules.fold(hash::EMPTY, |hash, module| {
+        hash::extend(hash, module.spirv().iter().copied())
+    })
 }

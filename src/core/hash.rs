@@ -1,10 +1,10 @@
 //! FNV-1a: bytes in, a number that changes with them out; the same on every machine.
 
 /// Hash of no bytes.
-pub(crate) const EMPTY: u64 = 0xcbf2_9ce4_8422_2325;
+pub const EMPTY: u64 = 0xcbf2_9ce4_8422_2325;
 
 /// Extends `hash` by `bytes`.
-pub(crate) fn extend(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
+pub fn extend(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
     bytes.into_iter().fold(hash, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
     })
