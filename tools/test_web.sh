@@ -15,6 +15,10 @@ mkdir -p "$out"
 [ -d "$out/node_modules/playwright-core" ] || npm install --prefix "$out" --no-save --no-package-lock --no-audit --no-fund playwright-core@1.65.1 >/dev/null
 effigy render --reference --size 512x512 --time 1.3 --out "$out/reference.png"
 cp tests/web/*.mjs "$out/"
+# Where the newest build has put the shaders.
+wgsl=$(find "${CARGO_TARGET_DIR:-target}" -path '*/build/effigy-wgsl-*/out/mlp/mlp.wgsl' -printf '%T@ %p\n' | sort -n | tail -n 1 | cut -d ' ' -f 2-)
+[ -n "$wgsl" ] || { echo "effigy-wgsl was not built below ${CARGO_TARGET_DIR:-target}" >&2; exit 1; }
+export EFFIGY_WGSL=${wgsl%/mlp/mlp.wgsl}
 timeout -k 10 1500 node "$out/page.mjs" "$page" "$out/reference.png" "$out"
 [ -z "${ONLY:-}" ] || exit 0
 # What the page measures is a report like any other.
