@@ -40,8 +40,8 @@ pub struct Args {
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<Cases>,
     /// Vary one parameter at a time, and measure the time and error of each value: all, or names
-    /// out of preset, storage, keys, color, raster, cutoff, rows, detail, supersample, pose-rate,
-    /// skip and skip-but, separated by commas
+    /// out of exact, raster, cutoff, rows, detail, supersample, pose-rate, skip and skip-but,
+    /// separated by commas
     #[arg(long, value_name = "NAME,NAME", value_parser = parameters)]
     sweep: Option<Parameters>,
     /// Times that each value of a sweep is measured, in turn with the others, 1 or more

@@ -8,9 +8,9 @@ pub enum KeyBits {
     /// Two passes; two keys a word. For bins.
     Sixteen,
     /// Three passes. What is left of a key after the first shares a word with the index of one of
-    /// 2¹⁸ Gaussians. For depths: steps under 1 µm for a person.
+    /// 2¹⁸ Gaussians. For depths, steps under 1 µm for a person, and for tiles of training.
     TwentyTwo,
-    /// Four passes. For training, whose keys hold a view and a depth.
+    /// Four passes. For training, whose keys are depths in f32.
     ThirtyTwo,
 }
 
