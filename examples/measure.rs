@@ -3,7 +3,8 @@
 //! `cargo run --release -p effigy --example measure -- [AVATAR.avatar [CLIP.motion]]`
 
 use effigy::{
-    Avatar, Camera, Clip, Gpu, GpuOptions, Player, Posed, Renderer, RendererOptions, reference,
+    Avatar, Camera, Clip, Gpu, GpuOptions, Orbit, Player, Posed, Renderer, RendererOptions,
+    reference,
 };
 use effigy_measure::error;
 use std::{env, error::Error, path::Path, time::Instant};
@@ -34,7 +35,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             &player.pose(duration * frame as f64 / FRAMES as f64),
         );
         let framing = renderer.bounds().framing(&posed.joints);
-        let camera = Camera::around(framing, frame as f64, 0.05, 0.61, SIZE);
+        let orbit = Orbit {
+            yaw: frame as f64,
+            ..Orbit::default()
+        };
+        let camera = Camera::around(framing, orbit, SIZE);
         let began = Instant::now();
         renderer.draw(&posed, &camera, None)?;
         renderer.finish()?;

@@ -2,7 +2,9 @@
 //!
 //! `cargo run --release -p effigy --example picture -- [OUT.png [AVATAR.avatar [CLIP.motion]]]`
 
-use effigy::{Avatar, Camera, Clip, Gpu, GpuOptions, Player, Posed, Renderer, RendererOptions};
+use effigy::{
+    Avatar, Camera, Clip, Gpu, GpuOptions, Orbit, Player, Posed, Renderer, RendererOptions,
+};
 use std::{env, error::Error, path::Path};
 
 const SIZE: [u32; 2] = [640, 960];
@@ -28,9 +30,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::new(&GpuOptions::headless(None))?;
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(SIZE))?;
 
-    // Turned 20° to the side, 35° of vertical field of view, all of the avatar in the image.
+    // All of the avatar in the image, turned 20° to the side.
     let framing = renderer.bounds().framing(&posed.joints);
-    let camera = Camera::around(framing, 0.35, 0.05, 0.61, SIZE);
+    let orbit = Orbit {
+        yaw: 0.35,
+        ..Orbit::default()
+    };
+    let camera = Camera::around(framing, orbit, SIZE);
     renderer.draw(&posed, &camera, None)?;
     let image = renderer.read_image()?;
     image.over([0.85, 0.87, 0.89]).save(&out)?;

@@ -3,37 +3,36 @@
 //! Read an [`Avatar`], pose it, and draw it to an image on a device that Effigy opens:
 //!
 //! ```no_run
-//! use effigy::{
-//!     Avatar, Camera, Gpu, GpuOptions, Pose, Posed, Renderer, RendererOptions,
-//! };
+//! use effigy::{Avatar, Camera, Gpu, GpuOptions, Orbit, Pose, Posed, Renderer, RendererOptions};
 //!
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let avatar = Avatar::read("body.avatar".as_ref())?;
-//! let pose = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
-//! let posed = Posed::new(&avatar, &pose);
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let avatar = Avatar::read("body.avatar".as_ref())?;
+//!     let pose = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
+//!     let posed = Posed::new(&avatar, &pose);
 //!
-//! let size = [640, 960];
-//! let gpu = Gpu::new(&GpuOptions::headless(None))?;
-//! let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
-//! let framing = renderer.bounds().framing(&posed.joints);
-//! let camera = Camera::around(framing, 0.35, 0.05, 0.61, size);
-//! renderer.draw(&posed, &camera, None)?;
-//! renderer.read_image()?.over([1.0; 3]).save("body.png")?;
-//! # Ok(())
-//! # }
+//!     let size = [640, 960];
+//!     let gpu = Gpu::new(&GpuOptions::headless(None))?;
+//!     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
+//!     let framing = renderer.bounds().framing(&posed.joints);
+//!     let camera = Camera::around(framing, Orbit { yaw: 0.35, ..Orbit::default() }, size);
+//!     renderer.draw(&posed, &camera, None)?;
+//!     renderer.read_image()?.over([1.0; 3]).save("body.png")?;
+//!     Ok(())
+//! }
 //! ```
 //!
-//! A camera and a pose need no device, and neither does the reference, which draws in f64:
+//! A camera and a pose need no device, and neither does the reference, which draws in f64. The demo
+//! is in a package of its own, `effigy-demo`, below `src/demo`:
 //!
 //! ```
-//! use effigy::{AvatarBounds, Camera, Player, Posed, reference};
+//! use effigy::{AvatarBounds, Camera, Orbit, Player, Posed, reference};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let avatar = effigy_demo::avatar()?;
 //! let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
 //! let posed = Posed::new(&avatar, &player.pose(0.5));
 //! let framing = AvatarBounds::new(&avatar).framing(&posed.joints);
-//! let camera = Camera::around(framing, 0.0, 0.0, 0.61, [32, 48]);
+//! let camera = Camera::around(framing, Orbit::default(), [32, 48]);
 //! let image = reference::render(&avatar, &posed, &camera);
 //! assert_eq!(image.size, [32, 48]);
 //! assert!(image.pixels.iter().any(|pixel| pixel[3] > 0.9));
@@ -108,7 +107,7 @@ pub use effigy_core::{
     frame::{ColorFormat, FrameReport, RasterMethod, RendererOptions, Schedule, Skip, SortVariant},
     glam,
     io::file::{FileError, FormatError},
-    scene::{AvatarBounds, Camera, Detail, FrameImage, Framing, Posed},
+    scene::{AvatarBounds, Camera, Detail, FrameImage, Framing, Orbit, Posed},
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use vulkan::{Error, Gpu, GpuOptions, Presentation, Renderer};

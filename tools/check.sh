@@ -78,6 +78,21 @@ examples() {
   xvfb-run -a -s '-screen 0 800x600x24' timeout 120 "$examples/window" --frames 10
 }
 
+# The README's example, as a user would have it: an empty project with the lines that stand there.
+embedded() {
+  use_driver mesa25:256
+  local project=$target/embedded
+  rm -rf "$project/src"; mkdir -p "$project/src"
+  block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/{/^\`\`\`/!p}" README.md; }
+  { printf '[package]\nname = "embedded"\nversion = "0.1.0"\nedition = "2024"\n[workspace]\n'
+    block toml | sed "s|path = \"effigy\"|path = \"$PWD\"|"; } > "$project/Cargo.toml"
+  block rust > "$project/src/main.rs"
+  cp Cargo.lock "$project/"
+  cp target/body.avatar "$project/"
+  (cd "$project" && CARGO_TARGET_DIR=build cargo run --quiet)
+  [ -s "$project/body.png" ]
+}
+
 # cross NAME TARGET...: standard libraries for browsers and Android. Does nothing where rustup or an NDK has them.
 # Each set has a folder: the scripts make one anew when it is asked for other targets.
 cross() {
@@ -138,6 +153,8 @@ gate() {
   (commands 51)
   step "examples"
   (examples)
+  step "the README's example in an empty project"
+  (embedded)
   step "the page in a browser"
   (EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && page --quick)
   step "the Android app"

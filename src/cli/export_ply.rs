@@ -9,7 +9,7 @@ use crate::{
 use effigy_core::{
     avatar::Avatar,
     io::{cameras, ply_export::to_ply, splats::Uniform},
-    scene::{AvatarBounds, Camera, Posed},
+    scene::{AvatarBounds, Camera, Orbit, Posed},
 };
 use effigy_measure::viewpoint::{FOV, PITCH, yaw_of_view};
 
@@ -82,7 +82,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 fn views(avatar: &Avatar, posed: &Posed, count: usize, size: [u32; 2]) -> Vec<Camera> {
     let framing = AvatarBounds::new(avatar).framing(&posed.joints);
     (0..count)
-        .map(|view| Camera::around(framing, yaw_of_view(view, count), PITCH, FOV, size))
+        .map(|view| {
+            let orbit = Orbit {
+                yaw: yaw_of_view(view, count),
+                pitch: PITCH,
+                fov: FOV,
+            };
+            Camera::around(framing, orbit, size)
+        })
         .collect()
 }
 

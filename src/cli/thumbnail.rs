@@ -6,7 +6,7 @@ use effigy_core::{
     avatar::{Avatar, Clip, Filter, Pose, motion::Player},
     io::file::FileContent,
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Framing, Posed},
+    scene::{AvatarBounds, Camera, FrameImage, Framing, Orbit, Posed},
 };
 use effigy_formats::{
     content::Content,
@@ -103,7 +103,7 @@ fn of_checkpoint(checkpoint: &Checkpoint) -> anyhow::Result<RgbaImage> {
 /// The camera of a picture.
 fn camera(framing: Framing) -> Camera {
     let [yaw, pitch, fov] = [YAW, PITCH, FOV].map(f64::to_radians);
-    Camera::around(framing, yaw, pitch, fov, SIZE)
+    Camera::around(framing, Orbit { yaw, pitch, fov }, SIZE)
 }
 
 fn over_background(image: &FrameImage) -> anyhow::Result<RgbaImage> {

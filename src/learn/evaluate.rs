@@ -5,7 +5,7 @@
 use crate::dataset::{Dataset, Shot};
 use effigy_core::avatar::{Avatar, Inputs, Rows};
 use effigy_core::reference::{self, project};
-use effigy_core::scene::{AvatarBounds, Camera, FrameImage, Posed};
+use effigy_core::scene::{AvatarBounds, Camera, FrameImage, Orbit, Posed};
 use effigy_measure::similarity::{Similarity, similarity};
 use glam::{DMat3, DVec3};
 use half::f16;
@@ -106,13 +106,12 @@ pub fn camera_at_pitch(
     pitch: f64,
     size: [u32; 2],
 ) -> Camera {
-    Camera::around(
-        bounds.framing(&posed.joints),
-        yaw.to_radians(),
+    let orbit = Orbit {
+        yaw: yaw.to_radians(),
         pitch,
-        35f64.to_radians(),
-        size,
-    )
+        fov: 35f64.to_radians(),
+    };
+    Camera::around(bounds.framing(&posed.joints), orbit, size)
 }
 
 /// The image of the attributes that the dataset has for a frame.

@@ -20,7 +20,7 @@ use effigy_core::{
     },
     layout::{pack::ModelSizes, sh},
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed},
+    scene::{AvatarBounds, Camera, FrameImage, Orbit, Posed},
 };
 use serde::Serialize;
 
@@ -156,7 +156,15 @@ fn view(avatar: &Avatar, views: &Views, index: usize) -> ReferenceView {
     let framing = AvatarBounds::new(avatar).framing(&posed.joints);
     // Consecutive views are from sides that are far apart.
     let yaw = viewpoint::yaw(0.618 * index as f64);
-    let camera = Camera::around(framing, yaw, PITCH, FOV, views.size);
+    let camera = Camera::around(
+        framing,
+        Orbit {
+            yaw,
+            pitch: PITCH,
+            fov: FOV,
+        },
+        views.size,
+    );
     ReferenceView {
         reference: reference::render(avatar, &posed, &camera),
         pose,

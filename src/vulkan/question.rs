@@ -17,7 +17,7 @@ use super::{
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::{RasterMethod, RendererOptions},
-    scene::{AvatarBounds, Camera, FrameImage, Posed},
+    scene::{AvatarBounds, Camera, FrameImage, Orbit, Posed},
 };
 use std::{f64::consts::TAU, path::Path, sync::Arc, time::Instant};
 
@@ -72,7 +72,15 @@ impl QuestionScene {
                 let yaw = TAU * side as f64 / SIDES as f64;
                 Self {
                     posed: posed.clone(),
-                    camera: Camera::around(framing, yaw, 0.1, FOV, size),
+                    camera: Camera::around(
+                        framing,
+                        Orbit {
+                            yaw,
+                            pitch: 0.1,
+                            fov: FOV,
+                        },
+                        size,
+                    ),
                 }
             })
             .collect()

@@ -9,7 +9,7 @@ use effigy::vulkan::{
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::Skip,
-    scene::{AvatarBounds, Camera, Posed},
+    scene::{AvatarBounds, Camera, Orbit, Posed},
 };
 use std::time::{Duration, Instant};
 
@@ -43,7 +43,15 @@ fn frames(avatar: &Avatar) -> Vec<(Posed, Camera)> {
         .map(|frame| {
             let posed = Posed::new(avatar, &player.pose(0.4 * frame as f64));
             let bounds = AvatarBounds::new(avatar).bounds(&posed.joints);
-            let camera = Camera::around(bounds, 0.3, 0.1, 0.6, SIZE);
+            let camera = Camera::around(
+                bounds,
+                Orbit {
+                    yaw: 0.3,
+                    pitch: 0.1,
+                    fov: 0.6,
+                },
+                SIZE,
+            );
             (posed, camera)
         })
         .collect()

@@ -7,7 +7,7 @@ use effigy_capture::{
 use effigy_core::{
     avatar::{Avatar, Pose},
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed},
+    scene::{AvatarBounds, Camera, FrameImage, Orbit, Posed},
 };
 use effigy_learn::score::{
     Candidate, Ground, Region, Report, Scorer, View, ViewChoice, ViewScore, choose,
@@ -96,7 +96,15 @@ fn write(folder: &Path, avatar: &Avatar) -> Capture {
     let framing = AvatarBounds::new(avatar).framing(&posed.joints);
     let cameras = [0.2, 1.0].map(|yaw| CaptureCamera {
         name: format!("cam{:02}", (10.0 * yaw) as u32),
-        camera: Camera::around(framing, yaw, 0.1, 0.6, SIZE),
+        camera: Camera::around(
+            framing,
+            Orbit {
+                yaw,
+                pitch: 0.1,
+                fov: 0.6,
+            },
+            SIZE,
+        ),
         distortion: [0.0; 5],
         held: yaw > 0.5,
     });

@@ -103,8 +103,7 @@ fn the_readme_is_short_and_its_code_compiles() {
         .collect();
     let (_, code) = readme.split_once("```rust\n").unwrap();
     let (code, _) = code.split_once("```").unwrap();
-    let code = code.lines().filter(|line| !line.starts_with("use "));
-    for line in code {
+    for line in code.lines().map(str::trim) {
         assert!(
             documented.contains(&line),
             "src/lib.rs does not show: {line}"

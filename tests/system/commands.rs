@@ -606,12 +606,15 @@ fn sorts_are_measured_as_long_as_is_said() {
     let [said, progress] =
         [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
     assert!(output.status.success(), "{progress}");
-    assert!(begun.elapsed() < Duration::from_secs(40));
+    let took = begun.elapsed();
+    assert!(took < Duration::from_secs(40));
     assert!(
         said.contains("left out: ") && said.contains("--minutes 0.12"),
         "{said}"
     );
-    assert!(progress.contains(" left"), "{progress}");
+    // Nothing is said in the first 5 s, after which a slow machine may have no time for another.
+    let is_short = took < Duration::from_secs(8);
+    assert!(is_short || progress.contains(" left"), "{progress}");
     let rows = read_json(&folder.path().join("out.json"))["rows"]
         .as_array()
         .unwrap()

@@ -14,7 +14,7 @@ const SPLATS: &[u8] = include_bytes!("../data/splats/truth.ply");
 const WALK: &[u8] = include_bytes!("../data/motion/mixamo.bvh");
 const MODEL: &[u8] = include_bytes!("../data/webavatar/small.npz");
 const POSES: &[u8] = include_bytes!("../data/webavatar/small_poses.json");
-const REPORT: &[u8] = include_bytes!("../../docs/benchmarks/2026-11-25-body.json");
+const REPORT: &[u8] = include_bytes!("../../docs/benchmarks/2026-11-27-nodes.json");
 /// What was in a file before.
 const OLD: &[u8] = b"what was there before";
 

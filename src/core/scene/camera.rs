@@ -19,6 +19,28 @@ pub struct Camera {
     pub near: f64,
 }
 
+/// From which side a camera looks, and how wide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orbit {
+    /// 0 looks at the avatar's front and grows towards its left, radians.
+    pub yaw: f64,
+    /// Positive looks down, radians.
+    pub pitch: f64,
+    /// Vertical field of view, radians.
+    pub fov: f64,
+}
+
+impl Default for Orbit {
+    /// The front, 3° from above, 35° wide.
+    fn default() -> Self {
+        Self {
+            yaw: 0.0,
+            pitch: 0.05,
+            fov: 0.61,
+        }
+    }
+}
+
 impl Camera {
     /// Default distance of the near plane, metres.
     pub const NEAR: f64 = crate::constants::NEAR;
@@ -71,16 +93,10 @@ impl Camera {
     }
 
     /// Looks at the middle of a box from [`Self::framing_distance`]. `framing`: a box, or what
-    /// [`AvatarBounds::framing`](super::AvatarBounds::framing) gives. Angles are those of
-    /// [`Self::orbit`].
-    pub fn around(
-        framing: impl Into<Framing>,
-        yaw: f64,
-        pitch: f64,
-        fov: f64,
-        size: [u32; 2],
-    ) -> Self {
+    /// [`AvatarBounds::framing`](super::AvatarBounds::framing) gives. `size`: of the image, px.
+    pub fn around(framing: impl Into<Framing>, orbit: Orbit, size: [u32; 2]) -> Self {
         let framing = framing.into();
+        let Orbit { yaw, pitch, fov } = orbit;
         let distance = Self::framing_distance(framing.bounds, fov, size);
         Self {
             near: framing.near,
@@ -197,7 +213,15 @@ mod tests {
         let bounds = [DVec3::new(-0.8, 0.0, -0.2), DVec3::new(0.9, 1.8, 0.3)];
         for size in [[640, 480], [300, 1000], [1000, 300]] {
             for yaw in 0..12 {
-                let camera = Camera::around(bounds, f64::from(yaw), 0.0, 0.6, size);
+                let camera = Camera::around(
+                    bounds,
+                    Orbit {
+                        yaw: f64::from(yaw),
+                        pitch: 0.0,
+                        fov: 0.6,
+                    },
+                    size,
+                );
                 for corner in 0..8 {
                     let corner = DVec3::new(
                         bounds[corner & 1].x,

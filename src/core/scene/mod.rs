@@ -16,7 +16,7 @@ mod scene_boxes;
 pub mod supersampling;
 
 pub use avatar_bounds::{AvatarBounds, PoseShape, Visible};
-pub use camera::Camera;
+pub use camera::{Camera, Orbit};
 pub use detail::Detail;
 pub use frame_image::FrameImage;
 pub use framing::Framing;

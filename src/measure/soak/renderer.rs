@@ -7,7 +7,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    scene::{AvatarBounds, Camera, Posed},
+    scene::{AvatarBounds, Camera, Orbit, Posed},
 };
 use effigy_runtime::governor::FrameQuality;
 use std::sync::Arc;
@@ -40,7 +40,15 @@ pub struct SoakRenderer<'a> {
 pub fn middle_frame(avatar: &Avatar, player: &Player, size: [u32; 2]) -> (Posed, Camera) {
     let posed = Posed::new(avatar, &player.pose(0.5 * player.clip().duration()));
     let framing = AvatarBounds::new(avatar).framing(&posed.joints);
-    let camera = Camera::around(framing, YAW, PITCH, FOV, size);
+    let camera = Camera::around(
+        framing,
+        Orbit {
+            yaw: YAW,
+            pitch: PITCH,
+            fov: FOV,
+        },
+        size,
+    );
     (posed, camera)
 }
 

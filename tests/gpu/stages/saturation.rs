@@ -14,7 +14,7 @@ use effigy_core::{
     frame::{DEPTH_KEYS, Skip},
     io::splats::Splats,
     reference::{ReferenceFrame, saturation},
-    scene::{AvatarBounds, Camera, Posed, Supersampling},
+    scene::{AvatarBounds, Camera, Orbit, Posed, Supersampling},
 };
 use effigy_measure::error;
 use glam::{DAffine3, DVec2};
@@ -82,7 +82,15 @@ pub fn sampled_frames() -> (
     let frames = frames.map(|(seconds, yaw, size)| {
         let posed = Posed::new(&avatar, &player.pose(seconds));
         let bounds = AvatarBounds::new(&avatar).bounds(&posed.joints);
-        let camera = Camera::around(bounds, yaw, 0.1, 0.6, size);
+        let camera = Camera::around(
+            bounds,
+            Orbit {
+                yaw,
+                pitch: 0.1,
+                fov: 0.6,
+            },
+            size,
+        );
         let options = RendererOptions {
             skip: Skip::DEPTH | Skip::FAINT,
             method: Some(RasterMethod::Quads),

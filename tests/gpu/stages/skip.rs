@@ -12,7 +12,7 @@ use effigy::vulkan::{Gpu, Renderer, RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::{Counters, Skip},
-    scene::{Camera, Detail, FrameImage, Posed},
+    scene::{Camera, Detail, FrameImage, Orbit, Posed},
 };
 use effigy_measure::error;
 use glam::DVec3;
@@ -123,7 +123,15 @@ fn with_and_without_depth(
     let avatar = effigy_demo::avatar().unwrap();
     let posed = &demo_poses(&[1.0])[0];
     let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
-    let camera = Camera::around(bounds, 0.3, 0.1, 0.6, size);
+    let camera = Camera::around(
+        bounds,
+        Orbit {
+            yaw: 0.3,
+            pitch: 0.1,
+            fov: 0.6,
+        },
+        size,
+    );
     [Skip::empty(), Skip::DEPTH].map(|skip| {
         let options = RendererOptions {
             skip,
@@ -186,7 +194,15 @@ fn full_pixels_take_no_more_within_the_budget(raster: Raster) {
     );
     let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
     let size = [480, 760];
-    let camera = Camera::around(bounds, 0.3, 0.1, 0.6, size);
+    let camera = Camera::around(
+        bounds,
+        Orbit {
+            yaw: 0.3,
+            pitch: 0.1,
+            fov: 0.6,
+        },
+        size,
+    );
     let draw = |skip| {
         let options = RendererOptions {
             skip,
