@@ -170,6 +170,7 @@ full() {
   tools/release.sh --only linux --try
   # From here on with what is shipped.
   export EFFIGY; EFFIGY=$(realpath "$target/release/effigy")
+  cargo build --release --quiet -p effigy-lab
   page
   (cross released aarch64-linux-android && tools/test_apk.sh --package)
   step "every prefix and edited files, a minute for each reader"

@@ -48,12 +48,16 @@ build_effigy() {
 # effigy ARGS...: runs it.
 effigy() { build_effigy && "$EFFIGY" "$@"; }
 
-# effigy_lab ARGS...: runs the laboratory, of the same build.
+# effigy_lab ARGS...: runs the laboratory: the one beside the program that EFFIGY names, else built where that is needed.
 effigy_lab() {
-  [ -n "${EFFIGY_LAB:-}" ] || EFFIGY_LAB=$(dirname "${EFFIGY:-}")/effigy-lab
-  if [ ! -x "$EFFIGY_LAB" ]; then
-    cargo build --profile desktop --quiet -p effigy-lab || return
-    EFFIGY_LAB=$(realpath -m "${CARGO_TARGET_DIR:-target}")/desktop/effigy-lab
+  local built; built=$(realpath -m "${CARGO_TARGET_DIR:-target}")/desktop
+  if [ -z "${EFFIGY_LAB:-}" ]; then
+    if [ -n "${EFFIGY:-}" ] && [ "$(dirname "$EFFIGY")" != "$built" ]; then
+      EFFIGY_LAB=$(dirname "$EFFIGY")/effigy-lab
+    else
+      cargo build --profile desktop --quiet -p effigy-lab || return
+      EFFIGY_LAB=$built/effigy-lab
+    fi
   fi
   "$EFFIGY_LAB" "$@"
 }
