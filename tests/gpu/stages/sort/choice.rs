@@ -120,6 +120,27 @@ fn a_variant_that_ended_the_program_twice_is_not_tried_again() {
     );
 }
 
+/// Who kills the program during each trial, twice, must not have killed it for good.
+fn a_program_that_was_killed_in_every_trial_sorts_all_the_same() {
+    let device = gpu::gpu();
+    let folder = tempfile::tempdir().unwrap();
+    let choice = choose_in(&device, Some(folder.path())).unwrap();
+    let path = file(&folder);
+    let mut content: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    let unfinished = |tried: &Tried<SortVariant>| serde_json::json!([tried.variant, "Unfinished"]);
+    content["tried"] = choice.tried.iter().map(unfinished).collect();
+    fs::write(&path, content.to_string()).unwrap();
+    let again = choose_in(&device, Some(folder.path())).unwrap();
+    assert_eq!(again.variant, choice.tried[0].variant, "the safest");
+    assert!(
+        again
+            .tried
+            .iter()
+            .all(|tried| tried.outcome == Outcome::Unfinished)
+    );
+}
+
 fn the_fastest_right_variant_wins() {
     let tried = |times: [Option<f64>; 3]| {
         let outcome = |ms: Option<f64>| ms.map_or(Outcome::Refused("wrong".into()), Outcome::Right);
@@ -150,5 +171,6 @@ tests! {
     look_back_is_tested_and_refused_where_it_is_wrong,
     a_damaged_or_old_file_is_ignored_and_written_again,
     a_variant_that_ended_the_program_twice_is_not_tried_again,
+    a_program_that_was_killed_in_every_trial_sorts_all_the_same,
     the_fastest_right_variant_wins: no_device,
 }
