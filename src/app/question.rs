@@ -1,5 +1,5 @@
-//! Has a GPU asked whether it draws faster with quads or tiles, while the window shows the method of
-//! its class. The next start draws by the answer.
+//! Has a GPU asked whether it draws faster with quads or tiles, while the window shows the method
+//! of its class. The next start draws by the answer.
 
 use crate::{painter::WindowPainter, scene::ViewerScene};
 use effigy::vulkan::{
@@ -26,8 +26,8 @@ enum Progress {
     Lost(Instant),
 }
 
-/// Trials of sorts and methods on a thread and a device of their own: a driver that hangs in a trial
-/// takes nothing from the window.
+/// Trials of sorts and methods on a thread and a device of their own: a driver that hangs in a
+/// trial takes nothing from the window.
 pub struct BackgroundTrials {
     fate: Fate,
 }

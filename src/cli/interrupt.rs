@@ -4,7 +4,7 @@ use anyhow::Context;
 use effigy::vulkan::trial;
 use std::{
     sync::{
-        Arc, OnceLock,
+        Arc,
         atomic::{AtomicBool, AtomicUsize, Ordering},
     },
     time::Duration,
@@ -38,8 +38,8 @@ impl Interrupts {
         Ok(new)
     }
 
-    /// Has a signal end the program with an exit code and a sentence, whatever it is at, unless there
-    /// is something to save by then.
+    /// Has a signal end the program with an exit code and a sentence, whatever it is at, unless
+    /// there is something to save by then.
     pub fn leave_unless(
         &self,
         is_to_save: &Arc<AtomicBool>,
@@ -60,11 +60,6 @@ impl Interrupts {
     /// default, whatever a driver is at, and what is under trial then is not to blame for it. A
     /// closed terminal is left to `nohup`.
     pub fn excuse_trials() -> anyhow::Result<()> {
-        static EXCUSED: OnceLock<()> = OnceLock::new();
-        if EXCUSED.set(()).is_err() {
-            // What listens to a signal listens for ever.
-            return Ok(());
-        }
         let new = Self::new();
         #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
         new.register(&[signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM])?;

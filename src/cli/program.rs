@@ -1,4 +1,5 @@
-//! What a program of Effigy's does around its command: arguments, logging, and how an error is said.
+//! What a program of Effigy's does around its command: arguments, logging, and how an error is
+//! said.
 
 use crate::{advice, gone, output, train};
 use clap::ArgMatches;
@@ -15,8 +16,8 @@ pub struct GlobalArgs {
     overwrite: bool,
 }
 
-/// Runs a program whose options are [`GlobalArgs`] and its own. An error is printed to standard error
-/// in one line, with advice in a second line where there is any.
+/// Runs a program whose options are [`GlobalArgs`] and its own. An error is printed to standard
+/// error in one line, with advice in a second line where there is any.
 pub fn run(
     command: clap::Command,
     act: impl FnOnce(&ArgMatches) -> anyhow::Result<()>,

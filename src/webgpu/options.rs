@@ -28,8 +28,8 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     } else {
         Skip::empty()
     };
-    // As with Vulkan, whose own choice is measured: on CPU drivers the depth test costs more than
-    // it saves (docs/experiments/038).
+    // Nothing says whether the adapter is a CPU's, where the depth test costs more than it saves
+    // (docs/experiments/038): who names quads wants to see it.
     let tested = if options.method.is_none() || !draws_triangles {
         Skip::DEPTH
     } else {

@@ -171,42 +171,38 @@ fn sort_pass(
             .filter(|(id, _)| module.wgsl.contains(&format!("@id({id}) ")));
         Kernel::specialized(gpu, module, &[bound, &[settings]].concat(), used.collect())
     };
-    let (entries, control) = ((1, read(from)), inputs.control);
-    let counts = [read, write].map(|access| (2, access(inputs.counts)));
-    let [known, counted] = [read, write].map(|access| (3, access(control)));
-    let sorted = (4, write(to));
+    let entries = (1, read(from));
+    let counts = (2, write(inputs.counts));
+    let control = (3, read(inputs.control));
     // The first pass writes to the control how many there are.
-    let per_thread = variant == SortVariant::PerThread;
-    let (scan, scatter, control) = match (is_first, per_thread) {
-        (true, false) => (&wgsl::SORT_SCAN_FIRST, &wgsl::SORT_SCATTER_FIRST, counted),
-        (false, false) => (&wgsl::SORT_SCAN_LATER, &wgsl::SORT_SCATTER_LATER, known),
-        (true, true) => (
+    let (scan, scatter, per_thread_scatter, told) = if is_first {
+        (
             &wgsl::SORT_SCAN_FIRST,
+            &wgsl::SORT_SCATTER_FIRST,
             &wgsl::SORT_PER_THREAD_SCATTER_FIRST,
-            counted,
-        ),
-        (false, true) => (
-            &wgsl::SORT_SCAN_LATER,
-            &wgsl::SORT_PER_THREAD_SCATTER_LATER,
-            known,
-        ),
-    };
-    let count = if per_thread {
-        &wgsl::SORT_PER_THREAD_COUNT
+            (3, write(inputs.control)),
+        )
     } else {
-        &wgsl::SORT_COUNT
+        (
+            &wgsl::SORT_SCAN_LATER,
+            &wgsl::SORT_SCATTER_LATER,
+            &wgsl::SORT_PER_THREAD_SCATTER_LATER,
+            control,
+        )
+    };
+    let (count, scatter, moved) = if variant == SortVariant::PerThread {
+        (&wgsl::SORT_PER_THREAD_COUNT, per_thread_scatter, counts)
+    } else {
+        (&wgsl::SORT_COUNT, scatter, (2, read(inputs.counts)))
     };
     SortPass {
-        count: (!is_first || !inputs.counted).then(|| kernel(count, &[entries, counts[1], known])),
+        count: (!is_first || !inputs.counted).then(|| kernel(count, &[entries, counts, control])),
         scan: is_scanned(capacity).then(|| {
             [
-                kernel(&wgsl::SORT_REDUCE, &[counts[1], known]),
-                kernel(scan, &[counts[1], control]),
+                kernel(&wgsl::SORT_REDUCE, &[counts, control]),
+                kernel(scan, &[counts, told]),
             ]
         }),
-        scatter: kernel(
-            scatter,
-            &[entries, counts[usize::from(per_thread)], control, sorted],
-        ),
+        scatter: kernel(scatter, &[entries, moved, told, (4, write(to))]),
     }
 }

@@ -13,7 +13,7 @@ use effigy_core::{
     avatar::Avatar,
     frame::{RasterMethod, Skip},
     reference,
-    scene::{AvatarBounds, Camera, Detail, Posed, Supersampling},
+    scene::{AvatarBounds, Camera, Detail, Orbit, Posed, Supersampling},
 };
 use std::{
     cell::LazyCell,
@@ -222,6 +222,17 @@ pub fn draw_after(
         posed,
         camera,
     }
+}
+
+/// A camera turned by `yaw` that has all of an avatar in its image.
+pub fn around(avatar: &Avatar, posed: &Posed, yaw: f64, size: [u32; 2]) -> Camera {
+    let bounds = AvatarBounds::new(avatar).bounds(&posed.joints);
+    let orbit = Orbit {
+        yaw,
+        pitch: 0.1,
+        fov: 0.6,
+    };
+    Camera::around(bounds, orbit, size)
 }
 
 /// The defaults, but everything is drawn as large as it is shown, as the reference draws it.

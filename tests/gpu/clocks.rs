@@ -9,7 +9,7 @@ use effigy::vulkan::{
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::Skip,
-    scene::{AvatarBounds, Camera, Orbit, Posed},
+    scene::{Camera, Posed},
 };
 use std::time::{Duration, Instant};
 
@@ -42,16 +42,7 @@ fn frames(avatar: &Avatar) -> Vec<(Posed, Camera)> {
     (0..FRAMES)
         .map(|frame| {
             let posed = Posed::new(avatar, &player.pose(0.4 * frame as f64));
-            let bounds = AvatarBounds::new(avatar).bounds(&posed.joints);
-            let camera = Camera::around(
-                bounds,
-                Orbit {
-                    yaw: 0.3,
-                    pitch: 0.1,
-                    fov: 0.6,
-                },
-                SIZE,
-            );
+            let camera = gpu::around(avatar, &posed, 0.3, SIZE);
             (posed, camera)
         })
         .collect()

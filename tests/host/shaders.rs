@@ -24,17 +24,7 @@ fn shaders() -> PathBuf {
 
 /// Paths below a folder, with `/` between their parts.
 fn files(folder: &Path) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        if path.is_dir() {
-            found.extend(files(&path).iter().map(|file| format!("{name}/{file}")));
-        } else {
-            found.insert(name);
-        }
-    }
-    found
+    effigy_shaders::files(folder).unwrap()
 }
 
 /// The modules of the renderer, and those of the training.

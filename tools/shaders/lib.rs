@@ -1,7 +1,7 @@
 //! What is compiled from the shaders, and how to see whether it is as new as its sources.
 
 use effigy_core::{hash, layout};
-use std::{fs, io, path::Path};
+use std::{collections::BTreeSet, fs, io, path::Path};
 
 include!("../../src/wgsl/modules.rs");
 
@@ -30,25 +30,28 @@ web_modules!(rows);
 /// File beside compiled modules with a line `name fingerprint` for each.
 pub const FINGERPRINTS: &str = "fingerprints.txt";
 
-/// Files of shaders below a folder that are compiled, not included, with `/` between the parts of
-/// their paths, in order.
-pub fn sources(folder: &Path) -> io::Result<Vec<String>> {
-    let mut found = Vec::new();
+/// Paths of the files below a folder, with `/` between their parts.
+pub fn files(folder: &Path) -> io::Result<BTreeSet<String>> {
+    let mut found = BTreeSet::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         if path.is_dir() {
-            let below = sources(&path)?;
-            found.extend(below.iter().map(|file| format!("{name}/{file}")));
-        } else if [".comp", ".vert", ".frag"]
-            .iter()
-            .any(|end| name.ends_with(end))
-        {
-            found.push(name.into_owned());
+            found.extend(files(&path)?.iter().map(|file| format!("{name}/{file}")));
+        } else {
+            found.insert(name.into_owned());
         }
     }
-    found.sort();
     Ok(found)
+}
+
+/// Those that are compiled, not included.
+pub fn sources(shaders: &Path) -> io::Result<Vec<String>> {
+    let is_compiled = |file: &String| {
+        let ends = [".comp", ".vert", ".frag"];
+        ends.iter().any(|end| file.ends_with(end))
+    };
+    Ok(files(shaders)?.into_iter().filter(is_compiled).collect())
 }
 
 /// A hash (FNV-1a) of a shader's text, of every file that it includes, of the shared macros and of

@@ -17,10 +17,7 @@ use effigy_shaders::{FINGERPRINTS, WEB_MODULES, fingerprint, sources};
 use shaderc::{
     CompileOptions, Compiler, EnvVersion, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
 };
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::{fs, path::Path};
 
 /// A module: what it is called, and how it is compiled.
 struct Job<'a> {
@@ -51,9 +48,11 @@ impl Sources<'_> {
         for (name, value) in layout::MACROS {
             options.add_macro_definition(name, Some(&value.glsl()));
         }
-        let web = [("WEB", "1")];
-        for (name, value) in web[..usize::from(job.web)].iter().chain(job.macros) {
+        for (name, value) in job.macros {
             options.add_macro_definition(name, Some(value));
+        }
+        if job.web {
+            options.add_macro_definition("WEB", Some("1"));
         }
         let shaders = self.shaders.to_path_buf();
         options.set_include_callback(move |name, _, _, _| {
@@ -132,7 +131,7 @@ impl Output {
         self.put(&folder.join(FINGERPRINTS), lines.as_bytes())
     }
 
-    fn put(&mut self, path: &PathBuf, content: &[u8]) -> anyhow::Result<()> {
+    fn put(&mut self, path: &Path, content: &[u8]) -> anyhow::Result<()> {
         if fs::read(path).ok().as_deref() == Some(content) {
             return Ok(());
         }

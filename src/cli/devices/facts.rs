@@ -8,8 +8,8 @@ use effigy::{
         Gpu, GpuOptions, Probe, RendererOptions,
         question::{Question, QuestionScene},
         raster::choice::MethodChoice,
-        sort::{SortVariant, choice::choose},
-        trial::Choice,
+        sort::choice::choose,
+        trial::SortChoice,
     },
 };
 use effigy_core::avatar::motion::Player;
@@ -108,7 +108,7 @@ fn subgroups(probe: &Probe) -> String {
 /// What was measured of a device.
 pub struct Measured {
     /// The variant of the sort.
-    pub sort: Choice<SortVariant>,
+    pub sort: SortChoice,
     /// The method that draws.
     pub method: MethodChoice,
 }

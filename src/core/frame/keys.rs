@@ -25,7 +25,7 @@ pub enum EntryForm {
     Packed = 2,
     /// A value a word: after the last pass.
     Values = 3,
-    /// As [`Self::Keys`], with two keys of 16 bits a word.
+    /// Two keys of 16 bits a word, a key's value its index: before the first pass.
     Halves = 4,
 }
 
@@ -68,8 +68,8 @@ impl KeyBits {
         u64::from(count) <= 1 << (32 - self.bits_left(pass))
     }
 
-    /// The form of the entries of a sort of at most `capacity` keys before a pass; after the last one
-    /// with the number of passes.
+    /// The form of the entries of a sort of at most `capacity` keys before a pass; with the number
+    /// of passes, that after the last one.
     pub fn form_before(self, pass: u32, capacity: u32) -> EntryForm {
         if pass == 0 {
             return if self.halves() {

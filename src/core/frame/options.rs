@@ -54,9 +54,9 @@ impl RendererOptions {
         }
     }
 
-    /// These options for an image that is exact: nothing is skipped or added that changes it by more
-    /// than rounding. Quads draw what lies behind the saturation depth, small avatars are drawn as the
-    /// model says and not as the area of each pixel shows them, and all of a crowd is drawn.
+    /// These options for an image that is exact: nothing is skipped or added that changes it by
+    /// more than rounding. Quads draw what lies behind the saturation depth, small avatars are drawn
+    /// as the model says and not as the area of each pixel shows them, and all of a crowd is drawn.
     pub fn exactly(self) -> Self {
         Self {
             exact: true,
@@ -89,13 +89,12 @@ impl RendererOptions {
 }
 
 /// Format that the image is blended or stored in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ColorFormat {
     /// 8 bits a channel: 4 bytes a pixel. For tiles, which round each pixel once.
     Rgba8,
     /// 16-bit floating point: 8 bytes a pixel. For quads, which round with every Gaussian, and for
     /// exact images.
-    #[default]
     Rgba16F,
 }
 

@@ -10,7 +10,7 @@ use super::{
     kept_pipelines::KeptPipelines,
     logical::{Device, DeviceFeatures},
     options::GpuOptions,
-    outcome::{Choice, Tried},
+    outcome::{SortChoice, Tried},
     probe::Probe,
     recording::Recording,
     statistics::Statistics,
@@ -28,7 +28,7 @@ use std::{
 #[derive(Default)]
 pub(crate) struct Sorts {
     /// The choice, once it is made.
-    pub chosen: OnceLock<Choice<SortVariant>>,
+    pub chosen: OnceLock<SortChoice>,
     /// Outcomes of variants that were asked for by name.
     pub asked: Mutex<Vec<Tried<SortVariant>>>,
 }

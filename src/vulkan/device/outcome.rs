@@ -1,5 +1,6 @@
 //! What trials of variants on a device found.
 
+use effigy_core::frame::SortVariant;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -65,34 +66,35 @@ impl<V: Copy + PartialEq> Tried<V> {
 
     /// The time of a variant that is right, ms.
     pub(crate) fn ms_of(tried: &[Self], variant: V) -> Option<f64> {
-        match Self::outcome_of(tried, variant)? {
-            Outcome::Right(ms) => Some(*ms),
+        tried.iter().find(|tried| tried.variant == variant)?.ms()
+    }
+
+    /// Its time, ms, if it is right.
+    fn ms(&self) -> Option<f64> {
+        match self.outcome {
+            Outcome::Right(ms) => Some(ms),
             _ => None,
         }
     }
 }
 
-/// The variant to use on a device, and why.
+/// How to sort on a device, and why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Choice<V: Clone> {
+pub struct SortChoice {
     /// The variant.
-    pub variant: V,
+    pub variant: SortVariant,
     /// What came of each that was tried.
-    pub tried: Vec<Tried<V>>,
+    pub tried: Vec<Tried<SortVariant>>,
 }
 
-impl<V: Copy + PartialEq> Choice<V> {
+impl SortChoice {
     /// The fastest variant that is right. None where none is.
-    pub fn fastest(tried: &[Tried<V>]) -> Option<Self> {
-        let mut fastest: Option<(V, f64)> = None;
-        for tried in tried {
-            if let Outcome::Right(ms) = tried.outcome
-                && fastest.is_none_or(|(_, best)| ms.total_cmp(&best).is_lt())
-            {
-                fastest = Some((tried.variant, ms));
-            }
-        }
-        fastest.map(|(variant, _)| Self {
+    pub fn fastest(tried: &[Tried<SortVariant>]) -> Option<Self> {
+        let timed = tried
+            .iter()
+            .filter_map(|tried| Some((tried.variant, tried.ms()?)));
+        let (variant, _) = timed.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        Some(Self {
             variant,
             tried: tried.to_vec(),
         })

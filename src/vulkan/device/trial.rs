@@ -10,7 +10,7 @@ use std::{
     sync::{Mutex, MutexGuard, PoisonError},
 };
 
-pub use super::outcome::{Choice, Outcome, Tried};
+pub use super::outcome::{Outcome, SortChoice, Tried};
 
 #[derive(Serialize, Deserialize)]
 struct Content<V: Clone> {

@@ -23,6 +23,7 @@ pub use effigy_core::{
     frame::{ColorFormat, Damage, RasterMethod},
     layout::BinLists,
 };
+pub(crate) use options::drawn_by;
 pub use options::resolved;
 pub use runs::TileLists;
 pub use stage::Raster;

@@ -15,7 +15,15 @@ pub(crate) fn method(options: &RendererOptions, gpu: &Gpu) -> RasterMethod {
 
 /// Options with every open choice made for a device, and without skips that it can't do.
 pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
-    let method = method(&options, gpu);
+    drawn_by(gpu, options, method(&options, gpu))
+}
+
+/// [`resolved`], with the method already chosen.
+pub(crate) fn drawn_by(
+    gpu: &Gpu,
+    options: RendererOptions,
+    method: RasterMethod,
+) -> RendererOptions {
     let mut skip = options.skip;
     let mut supersampling = options.supersampling;
     if !gpu.probe.draws_triangles() {

@@ -28,7 +28,7 @@ use super::{
         choice::{MethodChoice, strike_off},
         download::{self, Copied},
         draw::{Draw, RasterInputs},
-        resolved,
+        drawn_by, resolved,
     },
     sort::{self, Sort, SortOptions},
 };
@@ -144,13 +144,7 @@ impl Renderer {
             return Self::with(gpu, prepared, options);
         }
         let choice = MethodChoice::of(gpu);
-        let with = |method| {
-            let options = RendererOptions {
-                method: Some(method),
-                ..resolved(gpu, options)
-            };
-            Self::with(gpu, prepared, options)
-        };
+        let with = |method| Self::with(gpu, prepared, drawn_by(gpu, options, method));
         let (choice, made) = match with(choice.method) {
             Err(error) if choice.is_rival() => {
                 if !error.may_pass(gpu.probe.is_cpu()) {

@@ -11,7 +11,7 @@ use crate::vulkan::{
         cache,
         error::{Error, Result},
         gpu::Gpu,
-        trial::{Choice, Outcome, Record, Tried},
+        trial::{Outcome, Record, SortChoice, Tried},
     },
     pipeline::shaders,
 };
@@ -53,7 +53,7 @@ fn record(gpu: &Gpu, folder: Option<&Path>) -> Record<SortVariant> {
 /// of driver or program takes a part of a second; later calls and starts read the record. Fails
 /// where no variant is right, or the device is lost or hangs in a test, which later starts do not
 /// repeat.
-pub fn choose(gpu: &Arc<Gpu>) -> Result<Choice<SortVariant>> {
+pub fn choose(gpu: &Arc<Gpu>) -> Result<SortChoice> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.clone());
     }
@@ -80,12 +80,12 @@ pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
 
 /// The fastest variant that is right. Where every trial was ended, by whoever kills programs, the safest
 /// is drawn with all the same: nothing else is known of it.
-fn chosen(gpu: &Gpu, tried: &[Tried<SortVariant>]) -> Option<Choice<SortVariant>> {
+fn chosen(gpu: &Gpu, tried: &[Tried<SortVariant>]) -> Option<SortChoice> {
     let [safest, _] = variants(gpu);
     let is_unknown = Tried::outcome_of(tried, safest) == Some(&Outcome::Unfinished);
     let all_tried = untried(gpu, tried).is_empty();
-    Choice::fastest(tried).or_else(|| {
-        (is_unknown && all_tried).then(|| Choice {
+    SortChoice::fastest(tried).or_else(|| {
+        (is_unknown && all_tried).then(|| SortChoice {
             variant: safest,
             tried: tried.to_vec(),
         })
@@ -109,7 +109,7 @@ pub fn is_tested(gpu: &Gpu) -> bool {
 }
 
 /// Like [`choose`], with the record in `folder`; None keeps no record.
-pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Choice<SortVariant>> {
+pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
     let record = record(gpu, folder);
     let mut tried = record.read();
     let untried = untried(gpu, &tried);

@@ -14,7 +14,7 @@ use effigy_core::{
     frame::{DEPTH_KEYS, Skip},
     io::splats::Splats,
     reference::{ReferenceFrame, saturation},
-    scene::{AvatarBounds, Camera, Orbit, Posed, Supersampling},
+    scene::{Camera, Posed, Supersampling},
 };
 use effigy_measure::error;
 use glam::{DAffine3, DVec2};
@@ -81,16 +81,7 @@ pub fn sampled_frames() -> (
     let frames = [(0.5, 0.3, [861, 1363]), (2.0, 3.4, [960, 1520])];
     let frames = frames.map(|(seconds, yaw, size)| {
         let posed = Posed::new(&avatar, &player.pose(seconds));
-        let bounds = AvatarBounds::new(&avatar).bounds(&posed.joints);
-        let camera = Camera::around(
-            bounds,
-            Orbit {
-                yaw,
-                pitch: 0.1,
-                fov: 0.6,
-            },
-            size,
-        );
+        let camera = gpu::around(&avatar, &posed, yaw, size);
         let options = RendererOptions {
             skip: Skip::DEPTH | Skip::FAINT,
             method: Some(RasterMethod::Quads),

@@ -12,7 +12,7 @@ use effigy::vulkan::{Gpu, Renderer, RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::{Counters, Skip},
-    scene::{Camera, Detail, FrameImage, Orbit, Posed},
+    scene::{Camera, Detail, FrameImage, Posed},
 };
 use effigy_measure::error;
 use glam::DVec3;
@@ -122,16 +122,7 @@ fn with_and_without_depth(
 ) -> [(FrameImage, Option<u64>, Option<u64>); 2] {
     let avatar = effigy_demo::avatar().unwrap();
     let posed = &demo_poses(&[1.0])[0];
-    let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
-    let camera = Camera::around(
-        bounds,
-        Orbit {
-            yaw: 0.3,
-            pitch: 0.1,
-            fov: 0.6,
-        },
-        size,
-    );
+    let camera = gpu::around(&avatar, posed, 0.3, size);
     [Skip::empty(), Skip::DEPTH].map(|skip| {
         let options = RendererOptions {
             skip,
@@ -192,17 +183,8 @@ fn full_pixels_take_no_more_within_the_budget(raster: Raster) {
         &avatar,
         &Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton).pose(1.0),
     );
-    let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
     let size = [480, 760];
-    let camera = Camera::around(
-        bounds,
-        Orbit {
-            yaw: 0.3,
-            pitch: 0.1,
-            fov: 0.6,
-        },
-        size,
-    );
+    let camera = gpu::around(&avatar, &posed, 0.3, size);
     let draw = |skip| {
         let options = RendererOptions {
             skip,

@@ -3,7 +3,7 @@
 use super::*;
 use effigy::vulkan::{
     sort::choice::{choose_in, test},
-    trial::{Choice, Outcome, Tried},
+    trial::{Outcome, SortChoice, Tried},
 };
 use std::{fs, path::PathBuf};
 
@@ -16,7 +16,7 @@ fn file(folder: &tempfile::TempDir) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome(choice: &Choice<SortVariant>, variant: SortVariant) -> &Outcome {
+fn outcome(choice: &SortChoice, variant: SortVariant) -> &Outcome {
     Tried::outcome_of(&choice.tried, variant).unwrap()
 }
 
@@ -150,7 +150,7 @@ fn the_fastest_right_variant_wins() {
             .map(Tried::from)
             .collect::<Vec<_>>()
     };
-    let pick = |times| Choice::fastest(&tried(times)).map(|choice| choice.variant);
+    let pick = |times| SortChoice::fastest(&tried(times)).map(|choice| choice.variant);
     assert_eq!(
         pick([Some(1.0), Some(2.0), Some(3.0)]),
         Some(SortVariant::OneSweep)
