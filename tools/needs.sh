@@ -39,7 +39,7 @@ usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
 build_effigy() {
   [ -z "${EFFIGY:-}" ] || return 0
   local built; built=$(realpath -m "${CARGO_TARGET_DIR:-target}")/desktop/effigy
-  [ -x "$built" ] || echo "building Effigy: about 4 minutes on two free cores" >&2
+  [ -x "$built" ] || echo "building Effigy: 10 minutes of processor time, 5 on two free cores" >&2
   # In a list of commands `set -e` does not end a function: a program of an earlier build must not run in its place.
   cargo build --profile desktop --quiet -p effigy-cli || return
   export EFFIGY=$built
