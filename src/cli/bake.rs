@@ -33,7 +33,7 @@ enum BakeCommand {
 
 /// The body's source files, and which of its shapes to make.
 #[derive(clap::Args, Debug)]
-struct AssetArgs {
+pub struct AssetArgs {
     /// Folder that tools/fetch_assets.sh filled
     #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value_os_t = assets::folder())]
     assets: PathBuf,
@@ -46,7 +46,11 @@ struct AssetArgs {
 }
 
 impl AssetArgs {
-    fn person(&self) -> Person {
+    pub fn assets(&self) -> Assets {
+        Assets::new(&self.assets)
+    }
+
+    pub fn person(&self) -> Person {
         Person {
             shape: self.shape.unwrap_or(self.person.shape),
             ..self.person
@@ -54,9 +58,10 @@ impl AssetArgs {
     }
 }
 
-/// The body that an avatar is made of.
 #[derive(clap::Args, Debug)]
-pub struct BodySource {
+struct BodyArgs {
+    #[command(flatten)]
+    out: WriteAvatar,
     #[command(flatten)]
     assets: AssetArgs,
     /// Gaussians, 1000 to 2000000
@@ -70,23 +75,25 @@ pub struct BodySource {
     nodes: usize,
     /// Seed of the random numbers
     #[arg(long, value_name = "N", default_value = "1")]
-    pub seed: u64,
+    seed: u64,
+    /// Gaussians that keep a corrective, 0 to --gaussians, for each of rotation, scale and colour
+    #[arg(long, value_name = "N", default_value = "20000", value_parser = count(0, limits::GAUSSIANS))]
+    rows: usize,
+    /// Clip whose poses decide the pose components and the correctives to keep; repeat for several
+    /// [default: the assets' 01_01.bvh]
+    #[arg(long, value_name = "FILE")]
+    motion: Vec<PathBuf>,
 }
 
-impl BodySource {
-    pub fn assets(&self) -> Assets {
-        Assets::new(&self.assets.assets)
-    }
-
-    pub fn person(&self) -> Person {
-        self.assets.person()
-    }
-
-    /// Counts of everything, with `rows` corrective rows. An error names all of which there are more
-    /// than Gaussians.
-    pub fn sizes(&self, rows: usize) -> anyhow::Result<BakeSizes> {
+impl BodyArgs {
+    /// Counts of everything. An error names all of which there are more than Gaussians.
+    fn sizes(&self) -> anyhow::Result<BakeSizes> {
         let gaussians = self.gaussians;
-        let counts = [("parts", self.parts), ("nodes", self.nodes), ("rows", rows)];
+        let counts = [
+            ("parts", self.parts),
+            ("nodes", self.nodes),
+            ("rows", self.rows),
+        ];
         let above = counts.iter().filter(|(_, number)| *number > gaussians);
         let above: Vec<String> = above.map(|(name, n)| format!("--{name} {n}")).collect();
         ensure!(
@@ -99,25 +106,10 @@ impl BodySource {
             gaussians,
             parts: self.parts,
             nodes: self.nodes,
-            rows,
+            rows: self.rows,
             seed: self.seed,
         })
     }
-}
-
-#[derive(clap::Args, Debug)]
-struct BodyArgs {
-    #[command(flatten)]
-    out: WriteAvatar,
-    #[command(flatten)]
-    body: BodySource,
-    /// Gaussians that keep a corrective, 0 to --gaussians, for each of rotation, scale and colour
-    #[arg(long, value_name = "N", default_value = "20000", value_parser = count(0, limits::GAUSSIANS))]
-    rows: usize,
-    /// Clip whose poses decide the pose components and the correctives to keep; repeat for several
-    /// [default: the assets' 01_01.bvh]
-    #[arg(long, value_name = "FILE")]
-    motion: Vec<PathBuf>,
 }
 
 #[derive(clap::Args, Debug)]
@@ -163,9 +155,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 fn body(args: &BodyArgs) -> anyhow::Result<()> {
     let start = Instant::now();
     let out = args.out.file()?;
-    let assets = args.body.assets();
-    let person = args.body.person();
-    let sizes = args.body.sizes(args.rows)?;
+    let assets = args.assets.assets();
+    let person = args.assets.person();
+    let sizes = args.sizes()?;
     let clips = if args.motion.is_empty() {
         vec![default_clip(&assets, person.shape)?]
     } else {

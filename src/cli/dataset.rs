@@ -1,8 +1,7 @@
-//! `effigy dataset`: makes a folder with the look of every Gaussian of the baked body in the frames
-//! of some clips, or with pictures of it as a capture has them.
+//! `effigy dataset`: shoots a capture of the baked body in the frames of some clips.
 
 use crate::{
-    bake::BodySource,
+    bake::AssetArgs,
     options::{self, count},
     output::{self, OutputFolder},
     progress,
@@ -15,16 +14,14 @@ use effigy_core::{
 };
 use effigy_learn::{
     bake,
-    dataset::{DatasetWriter, Shot, plan_frames},
-    ground_truth::GroundTruth,
-    pictures::{self, Flaws, PictureOptions},
+    pictures::{self, Flaws, PictureOptions, Shot, plan_frames},
 };
 use std::{
     path::{Path, PathBuf},
     time::Instant,
 };
 
-/// Expression components of a pose in a dataset.
+/// Expression components of a pose.
 const EXPRESSION: usize = 10;
 
 #[derive(clap::Args, Debug)]
@@ -32,14 +29,17 @@ pub struct Args {
     /// Clips of the baked body, which `effigy bake motion` makes
     #[arg(required = true)]
     motion: Vec<PathBuf>,
-    /// Folder to write; by custom its name ends in .dataset, or in .capture with --pictures
+    /// Folder to write; by custom its name ends in .capture
     #[arg(short, long, value_name = "DIR")]
     out: OutputFolder,
     #[command(flatten)]
-    body: BodySource,
-    /// Frames, 2 to 100000, evenly spaced over the clips [default: 300; 100 with --pictures]
-    #[arg(long, value_name = "N", value_parser = count(2, 100_000))]
-    frames: Option<usize>,
+    assets: AssetArgs,
+    /// Seed of the random numbers
+    #[arg(long, value_name = "N", default_value = "1")]
+    seed: u64,
+    /// Frames, 2 to 100000, evenly spaced over the clips
+    #[arg(long, value_name = "N", default_value = "100", value_parser = count(2, 100_000))]
+    frames: usize,
     /// Length of a block, seconds; every fifth block of each clip is held out
     #[arg(long, value_name = "SECONDS", default_value = "1")]
     block: f64,
@@ -50,8 +50,8 @@ pub struct Args {
     /// Rays traced per vertex for ambient lighting, 16 to 10000
     #[arg(long, value_name = "N", default_value = "192", value_parser = count(16, 10_000))]
     rays: usize,
-    /// Write a capture instead: pictures, masks, cameras, poses and the naked body
-    #[arg(long)]
+    /// What it does anyway; it also made data sets without pictures before 0.4
+    #[arg(long, hide = true)]
     pictures: bool,
     #[command(flatten)]
     shooting: Shooting,
@@ -62,40 +62,40 @@ pub struct Args {
 #[command(next_help_heading = "Pictures")]
 struct Shooting {
     /// Cameras around the person, 1 to 256
-    #[arg(long, value_name = "N", default_value = "16", requires = "pictures", value_parser = count(1, 256))]
+    #[arg(long, value_name = "N", default_value = "16", value_parser = count(1, 256))]
     cameras: usize,
     /// Width and height of the pictures, 16 to 4096 px
-    #[arg(long, value_name = "PX", default_value = "256", requires = "pictures", value_parser = count(16, 4096))]
+    #[arg(long, value_name = "PX", default_value = "256", value_parser = count(16, 4096))]
     size: usize,
     /// Rays along each side of a pixel, 1 to 16
-    #[arg(long, value_name = "N", default_value = "2", requires = "pictures", value_parser = count(1, 16))]
+    #[arg(long, value_name = "N", default_value = "2", value_parser = count(1, 16))]
     samples: usize,
     /// Make it as captures are, with errors of every kind; the options below change single ones,
     /// or add them to a capture without errors
-    #[arg(long, requires = "pictures")]
+    #[arg(long)]
     as_captured: bool,
     /// Standard deviation of the pictures' noise, of 255 [as captured: 3]
-    #[arg(long, value_name = "N", requires = "pictures", value_parser = amount)]
+    #[arg(long, value_name = "N", value_parser = amount)]
     noise: Option<f64>,
     /// Standard deviation of the cameras' exposures, stops; a third of it of their white balance
     /// [as captured: 0.12]
-    #[arg(long, value_name = "STOPS", requires = "pictures", value_parser = amount)]
+    #[arg(long, value_name = "STOPS", value_parser = amount)]
     exposure: Option<f64>,
     /// Standard deviation of the cameras' blur, px [as captured: 0.6]
-    #[arg(long, value_name = "PX", requires = "pictures", value_parser = amount)]
+    #[arg(long, value_name = "PX", value_parser = amount)]
     blur: Option<f64>,
     /// How far the masks' edges are off, px [as captured: 1.5]
-    #[arg(long, value_name = "PX", requires = "pictures", value_parser = amount)]
+    #[arg(long, value_name = "PX", value_parser = amount)]
     mask_noise: Option<f64>,
     /// How far joints are turned away from the true pose, degrees [as captured: 2]
-    #[arg(long, value_name = "DEGREES", requires = "pictures", value_parser = amount)]
+    #[arg(long, value_name = "DEGREES", value_parser = amount)]
     pose_noise: Option<f64>,
     /// How far points are off by the calibration, px [as captured: 1]
-    #[arg(long, value_name = "PX", requires = "pictures", value_parser = amount)]
+    #[arg(long, value_name = "PX", value_parser = amount)]
     calibration_noise: Option<f64>,
     /// How far the body model's joints are from the person's, each in its parent, mm
     /// [as captured: 0]
-    #[arg(long, value_name = "MM", requires = "pictures", value_parser = amount)]
+    #[arg(long, value_name = "MM", value_parser = amount)]
     bone_noise: Option<f64>,
 }
 
@@ -127,75 +127,33 @@ impl Shooting {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
+    let start = Instant::now();
     let clips = args
         .motion
         .iter()
         .map(|path| clip_by_file_name(path))
         .collect::<anyhow::Result<Vec<_>>>()?;
-    let frames = args.frames.unwrap_or(if args.pictures { 100 } else { 300 });
-    let shots = plan_frames(&clips, frames, args.block);
-    if args.pictures {
-        // Its pictures would be removed, and may be nowhere else.
-        let is_capture = ["calibration.json", "calibration_full.json", "images"];
-        let is_capture = is_capture.iter().any(|name| args.out.join(name).exists());
-        ensure!(
-            !is_capture || output::may_overwrite(),
-            "{} has a capture: name another folder, or add --overwrite to remove its pictures",
-            args.out.display()
-        );
-        return shoot(&args, &clips, &shots);
-    }
-    let start = Instant::now();
-    let sizes = args.body.sizes(0)?;
-    let dressed = bake::dressed(
-        &args.body.assets(),
-        args.body.person(),
-        &clips,
-        &sizes,
-        &|step| tracing::info!("{step}"),
-    )?;
-    let truth = GroundTruth::new(&dressed, args.rays);
-    let mut poses = poses(&clips, &shots, &dressed.avatar.skeleton);
-    make_faces(&mut poses, &shots, args.faces, args.body.seed);
-    let bar = progress::items(shots.len() as u64, "frames");
-    let writer = DatasetWriter::new(
-        &args.out,
-        &dressed.avatar,
-        &poses,
-        shots.iter().map(|(_, shot)| shot.clone()).collect(),
-    )?;
-    for frame in 0..shots.len() {
-        writer.write_frame(frame, &truth.frame(&poses.frame(frame)))?;
-        bar.inc(1);
-    }
-    writer.finish()?;
-    bar.finish_and_clear();
-    let held = shots.iter().filter(|(_, shot)| shot.held).count();
-    println!(
-        "{}: {} frames of {} Gaussians, {held} of them held out; {:.0} s",
-        args.out.display(),
-        shots.len(),
-        dressed.avatar.gaussians.len(),
-        start.elapsed().as_secs_f64()
+    let shots = plan_frames(&clips, args.frames, args.block);
+    // Its pictures would be removed, and may be nowhere else.
+    let is_capture = ["calibration.json", "calibration_full.json", "images"];
+    let is_capture = is_capture.iter().any(|name| args.out.join(name).exists());
+    ensure!(
+        !is_capture || output::may_overwrite(),
+        "{} has a capture: name another folder, or add --overwrite to remove its pictures",
+        args.out.display()
     );
-    Ok(())
-}
-
-/// Shoots a capture of the same frames.
-fn shoot(args: &Args, clips: &[Clip], shots: &[(usize, Shot)]) -> anyhow::Result<()> {
-    let start = Instant::now();
-    let clothed = bake::clothed(&args.body.assets(), args.body.person())?;
+    let clothed = bake::clothed(&args.assets.assets(), args.assets.person())?;
     let skeleton = &clothed.body.skeleton;
-    for clip in clips {
+    for clip in &clips {
         let known = clip.map_to(skeleton).iter().flatten().count();
         ensure!(known > 0, "{}: found none of the body's joints", clip.name);
     }
-    let mut poses = poses(clips, shots, skeleton);
-    make_faces(&mut poses, shots, args.faces, args.body.seed);
+    let mut poses = poses(&clips, &shots, skeleton);
+    make_faces(&mut poses, &shots, args.faces, args.seed);
     let frames: Vec<CaptureFrame> = shots
         .iter()
         .enumerate()
-        .map(|(frame, (_, shot))| CaptureFrame {
+        .map(|(frame, shot)| CaptureFrame {
             number: frame as u32,
             pose: poses.frame(frame),
             held: shot.held,
@@ -208,7 +166,7 @@ fn shoot(args: &Args, clips: &[Clip], shots: &[(usize, Shot)]) -> anyhow::Result
         samples: shooting.samples as u32,
         rays: args.rays,
         flaws: shooting.flaws(),
-        seed: args.body.seed,
+        seed: args.seed,
     };
     let bar = progress::items(frames.len() as u64, "frames");
     let summary = pictures::shoot(&args.out, clothed, &frames, &options, &|| bar.inc(1))?;
@@ -230,9 +188,9 @@ fn shoot(args: &Args, clips: &[Clip], shots: &[(usize, Shot)]) -> anyhow::Result
 
 /// Gives a share of the training frames a random expression: each component is 0 or, with a
 /// probability of 0.4, uniform up to 1.
-fn make_faces(poses: &mut Clip, shots: &[(usize, Shot)], share: f64, seed: u64) {
+fn make_faces(poses: &mut Clip, shots: &[Shot], share: f64, seed: u64) {
     let faces = poses.expression.chunks_exact_mut(poses.expression_len);
-    for (frame, (face, (_, shot))) in faces.zip(shots).enumerate() {
+    for (frame, (face, shot)) in faces.zip(shots).enumerate() {
         if shot.held {
             continue;
         }
@@ -250,7 +208,7 @@ fn make_faces(poses: &mut Clip, shots: &[(usize, Shot)], share: f64, seed: u64) 
     }
 }
 
-/// A clip, named after its file: a dataset names the clip of each frame.
+/// A clip, named after its file.
 fn clip_by_file_name(path: &Path) -> anyhow::Result<Clip> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     Ok(Clip {
@@ -260,7 +218,7 @@ fn clip_by_file_name(path: &Path) -> anyhow::Result<Clip> {
 }
 
 /// The poses of the frames, as one clip with the skeleton's joints.
-fn poses(clips: &[Clip], shots: &[(usize, Shot)], skeleton: &Skeleton) -> Clip {
+fn poses(clips: &[Clip], shots: &[Shot], skeleton: &Skeleton) -> Clip {
     let mut poses = Clip {
         name: "poses".into(),
         expression_len: EXPRESSION,
@@ -272,8 +230,8 @@ fn poses(clips: &[Clip], shots: &[(usize, Shot)], skeleton: &Skeleton) -> Clip {
         .unwrap_or_default();
     poses.rotation.clear();
     poses.translation.clear();
-    for (clip, shot) in shots {
-        let clip = &clips[*clip];
+    for shot in shots {
+        let clip = &clips[shot.clip];
         let pose = clip.sample(shot.seconds);
         for joint in clip.map_to(skeleton) {
             let rotation = joint.map(|joint| pose.rotation[joint].as_vec3().to_array());

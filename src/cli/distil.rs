@@ -1,8 +1,8 @@
 //! The part of `effigy import` that distils an avatar from mmlphuman's checkpoint.
 
 use crate::{
+    budget::BudgetArgs,
     files::print_assumptions,
-    fit::MIN_FRAMES,
     options::{self, count},
     progress,
 };
@@ -12,9 +12,8 @@ use effigy_formats::{
     mmlphuman::{Checkpoint, Options},
     open::{self, ClipOptions},
 };
-use effigy_learn::{
-    Budget,
-    distil::{Difference, DistilOptions, Distilled, Likeness, SampleOptions, distil},
+use effigy_learn::distil::{
+    Difference, DistilOptions, Distilled, Likeness, MIN_POSES, SampleOptions, distil,
 };
 use glam::DVec3;
 use std::path::{Path, PathBuf};
@@ -36,14 +35,8 @@ pub struct DistilArgs {
     /// Basis functions of each part, a multiple of 4 from 4 to 32, for attributes and for nodes
     #[arg(long, value_name = "N", value_parser = count(4, limits::BASIS))]
     basis: Option<usize>,
-    /// Corrective rows to keep, of rotation, scale and colour together, 0 or more: those without
-    /// which images of the training frames would lose most [default: a tenth of all]
-    #[arg(long, value_name = "N", value_parser = count(0, 3 * limits::GAUSSIANS))]
-    keep: Option<usize>,
-    /// Keep instead the correctives of this many Gaussians, 0 or more, for each of rotation, scale
-    /// and colour: those that vary most, as in the paper
-    #[arg(long, value_name = "N", value_parser = count(0, limits::GAUSSIANS), conflicts_with = "keep")]
-    rows: Option<usize>,
+    #[command(flatten)]
+    budget: BudgetArgs,
     /// Seed of the random numbers
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -89,10 +82,7 @@ impl DistilArgs {
             },
             basis: self.basis.unwrap_or(16),
             epochs: self.epochs.unwrap_or(100),
-            budget: match self.rows {
-                Some(rows) => Budget::Rows(rows),
-                None => Budget::Contribution(self.keep.unwrap_or(3 * gaussians / 10)),
-            },
+            budget: self.budget.budget(gaussians),
             seed,
         }
     }
@@ -131,8 +121,8 @@ fn fit(args: &DistilArgs, job: &Job, checkpoint: &Checkpoint) -> anyhow::Result<
     }
     let all = checkpoint.poses.len() + trained.len();
     ensure!(
-        all >= MIN_FRAMES,
-        "{}: found {all} training poses, expected at least {MIN_FRAMES}: `effigy import --trained` \
+        all >= MIN_POSES,
+        "{}: found {all} training poses, expected at least {MIN_POSES}: `effigy import --trained` \
          reads some",
         job.file.display()
     );

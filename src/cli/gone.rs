@@ -34,6 +34,15 @@ const GONE: &[Gone] = &[
         instead: "its last tables are in docs/experiments/068-what-phones-would-take.md",
     },
     Gone {
+        written: "fit",
+        instead: "`effigy train` learns an avatar from pictures, which `effigy dataset` makes",
+    },
+    Gone {
+        written: "analyse",
+        instead: "`effigy train --set sizes.parts=1` and so on, then `effigy evaluate`: \
+                  docs/experiments/054-from-pictures.md has the tables",
+    },
+    Gone {
         written: "--cpu",
         instead: "leave it out: CPU drivers draw as suits them, and nothing is timed on them",
     },
@@ -100,7 +109,7 @@ mod tests {
         for gone in GONE {
             let written = gone.written;
             let written = match written {
-                "phone-model" => written.to_owned(),
+                "phone-model" | "fit" | "analyse" => written.to_owned(),
                 _ if written.starts_with("--") => format!("bench {written}"),
                 _ => format!("bench --raster {written}"),
             };

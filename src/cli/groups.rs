@@ -20,9 +20,7 @@ const GROUPS: [CommandGroup; 4] = [
     },
     CommandGroup {
         title: "Learn",
-        commands: &[
-            "bake", "dataset", "train", "fit", "prune", "evaluate", "analyse",
-        ],
+        commands: &["bake", "dataset", "train", "prune", "evaluate"],
     },
     CommandGroup {
         title: "Files",

@@ -12,12 +12,12 @@
 //! ```
 
 mod advice;
-mod analyse;
 mod assets;
 mod backdrop;
 mod backend;
 mod bake;
 mod bench;
+mod budget;
 mod camera_path;
 mod capture;
 mod compare;
@@ -28,13 +28,11 @@ mod distil;
 #[cfg(feature = "window")]
 mod dropped;
 mod evaluate;
-mod evaluate_capture;
 mod evaluate_video;
 mod export;
 mod export_ply;
 #[doc(hidden)]
 pub mod files;
-mod fit;
 mod gone;
 mod groups;
 mod import;
@@ -55,6 +53,7 @@ pub mod picture;
 pub mod program;
 #[doc(hidden)]
 pub mod progress;
+mod prune;
 mod render;
 mod soak;
 pub mod source;
@@ -99,19 +98,14 @@ enum Command {
     Devices(devices::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
     Bake(bake::Args),
-    /// Make a training dataset: the look of every Gaussian in the frames of some clips
+    /// Shoot a capture of the MakeHuman body: pictures, masks, cameras and poses
     Dataset(dataset::Args),
     /// Learn an avatar from a capture: pictures, masks, cameras and poses
     Train(train::Args),
-    /// Learn an avatar's correctives from a dataset
-    Fit(fit::FitArgs),
-    /// Keep the most valuable correctives of a learned avatar, and fine-tune them
-    Prune(fit::PruneArgs),
-    /// Compare images of a learned avatar with those of its dataset, or of a capture
+    /// Keep the most valuable correctives of an avatar
+    Prune(prune::Args),
+    /// Compare an avatar, or another program's pictures, with those of a capture
     Evaluate(evaluate::Args),
-    /// Make the paper's tables and curves from a dataset
-    #[command(alias = "analyze")]
-    Analyse(analyse::Args),
     /// Show what a file, or each file of a folder, contains
     Inspect(inspect::Args),
     /// Make an avatar or motion file from one of another program
@@ -139,10 +133,8 @@ impl Command {
             Self::Bake(args) => bake::run(args),
             Self::Dataset(args) => dataset::run(args),
             Self::Train(args) => train::run(args),
-            Self::Fit(args) => fit::run(args),
-            Self::Prune(args) => fit::run_prune(args),
+            Self::Prune(args) => prune::run(args),
             Self::Evaluate(args) => evaluate::run(args),
-            Self::Analyse(args) => analyse::run(args),
             Self::Inspect(args) => inspect::run(args),
             Self::Import(args) => import::run(args),
             Self::Export(args) => export::run(args),

@@ -5,7 +5,6 @@ use crate::live;
 use crate::{
     assets,
     files::print_assumptions,
-    fit,
     interrupt::Interrupts,
     options::{self, DeviceArgs},
     output::{AVATAR, Output, OutputFolder},
@@ -86,7 +85,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE", requires = "view")]
     motion: Vec<PathBuf>,
     /// Time between checkpoints, seconds, 0 to 1000000; an interrupted run continues from the last
-    #[arg(long, value_name = "SECONDS", default_value = "300", value_parser = fit::checkpoint)]
+    #[arg(long, value_name = "SECONDS", default_value = "300", value_parser = checkpoint)]
     checkpoint: f64,
     /// Folder that tools/fetch_perceptual.sh filled
     #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value_os_t = assets::folder())]
@@ -142,6 +141,11 @@ impl fmt::Display for Ended {
 }
 
 impl std::error::Error for Ended {}
+
+/// A time between checkpoints, seconds.
+fn checkpoint(text: &str) -> Result<f64, String> {
+    options::number(text, 0.0, 1e6, "number of seconds")
+}
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some(preset) = args.show_recipe {

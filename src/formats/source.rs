@@ -77,7 +77,7 @@ impl<'a> Source<'a> {
     }
 
     /// Hands over what is in the file: itself where it is packed in nothing. At most
-    /// [`zip_file::MAX_GROWTH`] times its size is unpacked, or 32 MB, by all its layers together: what
+    /// `zip_file::MAX_GROWTH` times its size is unpacked, or 32 MB, by all its layers together: what
     /// a reader then unpacks of an archive in an archive counts too.
     ///
     /// # Errors

@@ -1,32 +1,24 @@
-//! Learns an avatar's correctives from the look of its Gaussians in many poses.
+//! Makes avatars, and what avatars are learned from.
 //!
 //! ```text
-//! bake: the body, clips ── ground_truth: the posed mesh, settled and lit ──→ dataset
-//!                                                 └── pictures: a capture    ↓
-//!                   fit: stage by stage, train: networks and bases, prune: rows
-//!                                                                             ↓
-//!                                 analyse ── evaluate, score ←───────── avatar ──→ levels
+//! bake: the body, clips ── ground_truth: the posed mesh, settled and lit ── pictures: a capture
+//!                                                                               ↓
+//!     distil: from a larger model's checkpoint ─→ avatar ←───────────── effigy-train
+//!                                                   ↓
+//!                           prune: fewer rows, levels: fewer Gaussians, score: of a capture
 //! ```
 //!
-//! [`distil`] makes an avatar of a checkpoint of another program instead. All of it runs on the CPU,
-//! parts in parallel; [`analyse`] alone times frames on a device. Results depend on the dataset, the
-//! options and the seed alone, on one kind of machine: not on the number of threads, and not on
-//! interruptions.
+//! All of it runs on the CPU, parts in parallel. Results depend on the files, the options and the
+//! seed alone, on one kind of machine, not on the number of threads.
 
-pub mod analyse;
 pub mod bake;
-pub mod dataset;
 pub mod distil;
-pub mod evaluate;
-pub mod fit;
 pub mod ground_truth;
 pub mod levels;
+mod likeness;
 pub mod math;
 pub mod pictures;
 pub mod plot;
+mod poses;
 pub mod prune;
 pub mod score;
-pub mod train;
-
-pub use dataset::{Dataset, LearnError};
-pub use fit::{Budget, CheckpointOptions, FitOptions, Fitted, fit, prune};

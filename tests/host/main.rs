@@ -11,7 +11,6 @@ mod drift;
 #[cfg(feature = "window")]
 mod dropped;
 mod files;
-mod fit;
 mod flicker;
 mod fuzz;
 mod gltf_motion;
@@ -19,7 +18,6 @@ mod governor;
 mod kernels;
 mod large;
 mod layout;
-mod learned;
 mod levels;
 mod memory;
 mod mmlphuman;
@@ -28,6 +26,7 @@ mod onesweep;
 mod perceptual;
 mod ply;
 mod projection;
+mod prune;
 mod reference;
 mod reference_bodies;
 mod rules;
@@ -69,7 +68,6 @@ fn main() -> ExitCode {
             files::packed,
             files::rules,
             files::scans,
-            fit,
             flicker,
             fuzz,
             gltf_motion,
@@ -78,7 +76,6 @@ fn main() -> ExitCode {
             kernels,
             layout,
             large,
-            learned,
             mmlphuman,
             mmlphuman::hostile,
             levels,
@@ -93,6 +90,7 @@ fn main() -> ExitCode {
             ply::adversarial,
             ply::columns,
             projection,
+            prune,
             reference,
             reference_bodies,
             rules,

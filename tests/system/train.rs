@@ -376,7 +376,7 @@ fn a_person_is_learned_from_pictures() {
     for arguments in [
         format!("bake motion 01_01.bvh --assets {assets} --rate 30 --out clip.motion"),
         format!(
-            "dataset clip.motion --assets {assets} --pictures --cameras 8 --frames 16 --size 96 \
+            "dataset clip.motion --assets {assets} --cameras 8 --frames 16 --size 96 \
              --samples 1 --rays 16 --out person.capture"
         ),
         "train person.capture --out person.avatar --set sizes.gaussians=3000 --set sizes.parts=16 \

@@ -200,6 +200,11 @@ impl Parts {
             - 1
     }
 
+    /// The Gaussians of a part.
+    pub fn gaussians(&self, part: usize) -> std::ops::Range<usize> {
+        self.start[part] as usize..self.start[part + 1] as usize
+    }
+
     /// Number of parts, N_G.
     pub fn len(&self) -> usize {
         self.start.len() - 1

@@ -54,14 +54,6 @@ struct GaussianPoint {
     density: f64,
 }
 
-/// An avatar, and where its Gaussians are from.
-pub struct Assembled {
-    /// The avatar, its Gaussians by part.
-    pub avatar: Avatar,
-    /// The index of each Gaussian's dot.
-    pub order: Vec<usize>,
-}
-
 /// Puts the avatar together. Features, pruning, PCA and the Gaussians' shapes are fitted to
 /// `poses`. `sheets`: what the dots are on.
 pub fn assemble(
@@ -72,7 +64,7 @@ pub fn assemble(
     dots: &[Dot],
     poses: &[Pose],
     sizes: &BakeSizes,
-) -> Assembled {
+) -> Avatar {
     let to_canonical = body.to_canonical();
     let stretch = Stretch::new(sheets, &body.skeleton, &to_canonical, poses);
     let surroundings = Surroundings {
@@ -156,10 +148,7 @@ pub fn assemble(
         filter: Filter::DEFAULT,
         levels: vec![],
     };
-    Assembled {
-        avatar,
-        order: parts.order,
-    }
+    avatar
 }
 
 /// Random numbers of each point begin here; other uses of the seed draw from other streams.

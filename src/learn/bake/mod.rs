@@ -38,20 +38,6 @@ pub use source::Assets;
 pub use source::text::SourceError;
 pub use style::Style;
 
-/// A dressed body with all that it was made from.
-pub struct Dressed {
-    /// The naked body.
-    pub body: Body,
-    /// The rules of its clothes.
-    pub outfit: outfit::Outfit,
-    /// Skin and garments, the innermost first.
-    pub sheets: Vec<surface::Sheet>,
-    /// The place of each of the avatar's Gaussians on the sheets.
-    pub dots: Vec<spacing::Dot>,
-    /// The baked avatar.
-    pub avatar: Avatar,
-}
-
 /// A dressed body without Gaussians.
 pub struct Clothed {
     /// The naked body.
@@ -77,7 +63,7 @@ pub fn clothed(assets: &Assets, person: impl Into<Person>) -> Result<Clothed, So
     })
 }
 
-/// The steps that [`body()`] and [`dressed`] announce.
+/// The steps that [`body()`] announces.
 pub const STEPS: u64 = 4;
 
 /// Bakes a dressed body. Networks, pruning and PCA are fitted to the clips' poses. `announce` is
@@ -92,20 +78,6 @@ pub fn body(
     sizes: &BakeSizes,
     announce: &dyn Fn(&'static str),
 ) -> Result<Avatar, SourceError> {
-    Ok(dressed(assets, person, clips, sizes, announce)?.avatar)
-}
-
-/// Bakes a dressed body like [`body()`], and returns its surfaces too.
-///
-/// # Errors
-/// When a source file is missing or damaged, or a clip is not of the body.
-pub fn dressed(
-    assets: &Assets,
-    person: impl Into<Person>,
-    clips: &[Clip],
-    sizes: &BakeSizes,
-    announce: &dyn Fn(&'static str),
-) -> Result<Dressed, SourceError> {
     announce("reading and dressing the body");
     let Clothed {
         body,
@@ -120,18 +92,9 @@ pub fn dressed(
     announce("spacing Gaussians");
     let dots = spacing::scatter(&sheets, &outfit, sizes.gaussians, sizes.seed);
     announce("assembling the avatar");
-    let assembled = assemble::assemble(&body, &outfit, &sheets, &sky, &dots, &poses, sizes);
-    Ok(Dressed {
-        body,
-        outfit,
-        sheets,
-        dots: assembled
-            .order
-            .into_iter()
-            .map(|dot| dots[dot].clone())
-            .collect(),
-        avatar: assembled.avatar,
-    })
+    Ok(assemble::assemble(
+        &body, &outfit, &sheets, &sky, &dots, &poses, sizes,
+    ))
 }
 
 /// Every frame of the clips in a skeleton's order of joints.

@@ -3,7 +3,7 @@
 use crate::distil::body::Body;
 use crate::distil::samples::Samples;
 use crate::distil::teacher::{AnchorFeatures, Look, Teacher};
-use crate::evaluate::{Rendition, camera_at};
+use crate::likeness::{camera_at, neutral};
 use crate::math::sampling::evenly_spaced;
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::reference::{self, basis::corrective, nodes::displacement, project};
@@ -19,6 +19,8 @@ const POSES: usize = 12;
 const IMAGES: usize = 4;
 /// Degrees around the avatar, one an image in turn.
 const YAWS: [f64; IMAGES] = [25.0, 115.0, 205.0, 295.0];
+/// Radians above the horizon.
+const PITCH: f64 = 0.09;
 const SIZE: [u32; 2] = [384, 512];
 /// Identical images count as this in means, dB.
 const MAX_PSNR: f64 = 100.0;
@@ -80,7 +82,7 @@ pub fn judge(
         samples,
         body,
         avatar,
-        neutral: &Rendition::Neutral.apply(avatar),
+        neutral: &neutral(avatar),
         bounds: AvatarBounds::new(avatar),
     };
     let any = evenly_spaced(&samples.learned, 1);
@@ -195,7 +197,7 @@ impl Judge<'_, '_, '_> {
     /// PSNR of an avatar's image in a pose, dB.
     fn image(&self, look: &Look, pose: &Pose, yaw: f64, avatar: &Avatar) -> Option<f64> {
         let posed = Posed::new(avatar, pose);
-        let camera = camera_at(&self.bounds, &posed, yaw, SIZE);
+        let camera = camera_at(&self.bounds, &posed, yaw, PITCH, SIZE);
         let truth = self.teacher.posed(look, pose, camera.eye());
         let truth = reference::render_gaussians(&truth, &camera, avatar.filter);
         let image = reference::render(avatar, &posed, &camera);

@@ -16,9 +16,13 @@
 //! them; and the bases for what it learned are a product of the teacher's bases and one matrix for
 //! each anchor.
 
+mod basis;
 mod body;
 mod columns;
+mod inputs;
 mod judge;
+mod learner;
+mod network;
 mod samples;
 mod solve;
 mod students;
@@ -27,5 +31,5 @@ mod teacher;
 pub use body::{Body, plain_inputs};
 pub use judge::{Difference, Likeness};
 pub use samples::SampleOptions;
-pub use students::{DistilOptions, Distilled, distil};
+pub use students::{DistilOptions, Distilled, MIN_POSES, Progress, distil};
 pub use teacher::{AnchorFeatures, Look, Teacher};

@@ -4,8 +4,8 @@
 //! avatar's networks see poses, and one as it is. Rows between two training poses are added, since
 //! the teacher can be asked anywhere. Every tenth stretch of the training sequence is held out.
 
+use crate::distil::inputs::{NetworkInputs, fit_subspaces};
 use crate::math::sampling::evenly_spaced;
-use crate::train::inputs::{NetworkInputs, fit_subspaces};
 use effigy_core::avatar::{Inputs, Pose};
 use effigy_core::random::Random;
 
@@ -79,7 +79,7 @@ impl Samples {
         training.extend((0..count).map(|at| 2 * poses.len() + at));
         let held_rows = both(&held);
         Self {
-            rows: NetworkInputs::from_rows(&inputs, rows.clone(), rows, &training),
+            rows: NetworkInputs::new(&inputs, rows.clone(), rows, &training),
             inputs,
             poses,
             learned,

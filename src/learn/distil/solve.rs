@@ -1,5 +1,5 @@
-//! The best features of a part, and the best bases for features that a network gives: as
-//! [`crate::train::basis`] has them for a dataset's numbers, from covariances alone.
+//! The best features of a part, and the best bases for features that a network gives: from
+//! covariances alone.
 //!
 //! Let Δ be the anchors' features less their means (m numbers a row), C the columns' linear map,
 //! Σ = mean ΔΔᵀ, Q = CᵀC. The columns x = C Δ have principal components v with C Σ Cᵀ v = λ v; g = Cᵀ v
@@ -8,14 +8,13 @@
 //!
 //! For given features e of mean 0 and covariance E, the best basis is C T, T = mean(Δ eᵀ) E⁻¹.
 
+use crate::distil::basis::{HalfLoss, Solution, center};
 use crate::distil::columns::Columns;
 use crate::distil::teacher::AnchorFeatures;
 use crate::math::matrix::{
     LeadingEigenvectors, MatrixView, cholesky, inverse, leading_eigenvectors, multiply,
     multiply_f64,
 };
-use crate::train::basis::{HalfLoss, Solution};
-use crate::train::block::center;
 use half::f16;
 
 /// Keeps Σ positive, as a share of its mean variance.

@@ -1,21 +1,17 @@
 //! Students: a network a part that learns the features which describe the teacher's Gaussians best,
-//! and the bases for them. The stages are those of [`crate::fit`]: networks learn principal
-//! components; bases are solved for them and networks learn on; rows are pruned and networks learn
-//! on; bases are solved a last time.
+//! and the bases for them. In stages: networks learn principal components; bases are solved for them
+//! and networks learn on; rows are pruned and networks learn on; bases are solved a last time.
 
+use crate::distil::basis::{HalfLoss, Solution, join};
 use crate::distil::body::{Body, plain_inputs};
 use crate::distil::columns::{Attribute, Columns};
 use crate::distil::judge::{Likeness, judge};
+use crate::distil::learner::{Learner, StageSchedule};
 use crate::distil::samples::{SampleOptions, Samples};
 use crate::distil::solve::PartProblem;
 use crate::distil::teacher::{AnchorFeatures, Teacher};
-use crate::fit::FitProgress;
 use crate::math::sampling::evenly_spaced;
-use crate::prune::{Budget, RowSubject, select_rows};
-use crate::train::basis::{HalfLoss, Solution};
-use crate::train::block::{ATTRIBUTE_SHARES, ATTRIBUTES, NODE_SHARE, RetainedRows, part_range};
-use crate::train::learner::{Learner, StageSchedule};
-use crate::train::problem::join;
+use crate::prune::{Budget, RetainedRows, RowSubject, WIDTHS, select_rows};
 use effigy_core::avatar::{Avatar, Matrix, Pose, Rows};
 use effigy_core::io::file::FormatError;
 use effigy_formats::mmlphuman::Checkpoint;
@@ -23,14 +19,18 @@ use half::f16;
 use rayon::prelude::*;
 
 /// Fewest training poses.
-const MIN_POSES: usize = 8;
+pub const MIN_POSES: usize = 8;
 /// Rows over which the attributes' spreads are taken.
 const SPREAD_ROWS: usize = 256;
 /// Reports of the networks' progress a stage.
 const REPORTS: usize = 16;
-/// Deviation of the noise that is added to poses, radians. The teacher answers between the training
-/// poses, so that noise need not stand for poses nearby.
-const NOISE: f32 = 0.0;
+/// How much of the loss rotation, scale and colour are. Colour is seen most.
+const ATTRIBUTE_SHARES: [f64; 3] = [0.2, 0.2, 0.6];
+/// How much of the loss the nodes' displacements are, beside the attributes.
+const NODE_SHARE: f64 = 0.5;
+
+/// Called with the epochs done and the name of the next step.
+pub type Progress<'a> = &'a (dyn Fn(usize, &str) + Sync);
 
 /// How to distil.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +66,7 @@ pub fn distil(
     name: &str,
     trained: &[Pose],
     options: &DistilOptions,
-    progress: FitProgress,
+    progress: Progress,
 ) -> Result<Distilled, FormatError> {
     let sequence: Vec<Pose> = checkpoint.poses.iter().chain(trained).cloned().collect();
     if sequence.len() < MIN_POSES {
@@ -188,7 +188,7 @@ impl<'a> Students<'a> {
         }
         let own = |attribute: usize, part: usize| {
             let mut lists: [Vec<u32>; 3] = Default::default();
-            let range = part_range(&self.body.avatar, part);
+            let range = self.body.avatar.parts.gaussians(part);
             lists[attribute] = (range.start as u32..range.end as u32).collect();
             let own = self.part_columns(part, &RetainedRows::Listed(lists));
             let mean = own.columns.mean.clone();
@@ -237,7 +237,7 @@ impl<'a> Students<'a> {
             color_unit,
             ..
         } = self.checkpoint;
-        let range = part_range(&self.body.avatar, part);
+        let range = self.body.avatar.parts.gaussians(part);
         let retained: [Vec<u32>; 3] = std::array::from_fn(|a| retained.within(a, &range));
         let mut columns = Columns::new(0..*basis);
         let mut weights = Vec::new();
@@ -365,15 +365,14 @@ impl<'a> Students<'a> {
         let mut node_basis = vec![f16::ZERO; 3 * self.basis * avatar.nodes.len()];
         for (part, solution) in parts.iter().enumerate() {
             let mut column = 0;
-            for gaussian in part_range(&avatar, part) {
-                for (a, attribute) in ATTRIBUTES.into_iter().enumerate() {
+            for gaussian in avatar.parts.gaussians(part) {
+                for (a, width) in WIDTHS.into_iter().enumerate() {
                     if solution.retained[a]
                         .binary_search(&(gaussian as u32))
                         .is_err()
                     {
                         continue;
                     }
-                    let width = attribute.width();
                     let own = column..column + width;
                     column = own.end;
                     neutral[a][gaussian * width..][..width]
@@ -402,7 +401,7 @@ impl<'a> Students<'a> {
     }
 
     /// Runs the stages. Returns the avatar and its networks.
-    fn learn(&self, options: &DistilOptions, progress: FitProgress) -> (Avatar, Learner) {
+    fn learn(&self, options: &DistilOptions, progress: Progress) -> (Avatar, Learner) {
         let mut learner = Learner::new(
             &self.body.avatar,
             &self.samples.rows,
@@ -466,7 +465,7 @@ fn rows<const C: usize>(parts: &[PartSolution], attribute: usize, basis: Vec<f16
 struct Run<'a> {
     students: &'a Students<'a>,
     options: &'a DistilOptions,
-    progress: FitProgress<'a>,
+    progress: Progress<'a>,
     /// Epochs of all stages so far.
     done: usize,
 }
@@ -481,7 +480,6 @@ impl Run<'_> {
             seed: self.options.seed,
             stage,
             epochs,
-            noise: NOISE,
         };
         let samples = self.students.samples;
         let step = epochs.div_ceil(REPORTS).max(1);

@@ -21,16 +21,10 @@ pub struct SettledBody {
 /// The mesh in one pose, before the hips turn or move it. Lists are indexed by vertex unless they
 /// say otherwise.
 pub struct PosedMesh {
-    /// Canonical to posed, one a joint.
-    pub joints: Vec<DAffine3>,
     /// By linear blend skinning.
     pub skinned: Skinned,
-    /// Unit vectors of the skinned shape.
-    pub skinned_normals: Vec<DVec3>,
     /// With flesh and cloth settled, and the face's expression, metres.
     pub settled: Vec<DVec3>,
-    /// Unit vectors of the settled shape.
-    pub settled_normals: Vec<DVec3>,
     /// The deformation from the skinned to the settled shape, one a vertex.
     pub gradients: Vec<DMat3>,
     /// What arrives; dark where it was not asked for.
@@ -79,11 +73,8 @@ impl SettledBody {
         PosedMesh {
             gradients: self.mesh.gradients(&skinned.positions, &settled),
             light: self.sky.light(&self.mesh, &settled, &settled_normals, lit),
-            joints,
-            skinned_normals: self.mesh.normals(&skinned.positions),
             skinned,
             settled,
-            settled_normals,
         }
     }
 }

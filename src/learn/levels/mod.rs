@@ -17,7 +17,6 @@ mod make;
 mod measure;
 mod merge;
 mod pose;
-mod poses;
 mod splats;
 mod still;
 mod views;

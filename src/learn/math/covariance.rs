@@ -19,25 +19,30 @@ impl RunningCovariance {
     }
 
     /// Adds the numbers of a pose.
-    pub fn add(&mut self, x: &[f32]) {
+    pub fn add(&mut self, x: &[impl Copy + Into<f64>]) {
         self.count += 1.0;
         let n = self.mean.len();
         // Deviations from the old mean; from the new one in `after`.
         let before: Vec<f64> = x
             .iter()
             .zip(&self.mean)
-            .map(|(&x, mean)| f64::from(x) - mean)
+            .map(|(&x, mean)| x.into() - mean)
             .collect();
         for (mean, deviation) in self.mean.iter_mut().zip(&before) {
             *mean += deviation / self.count;
         }
         for (i, &x) in x.iter().enumerate() {
-            let after = f64::from(x) - self.mean[i];
+            let after = x.into() - self.mean[i];
             let row = &mut self.products[i * n..][..n];
             for (sum, before) in row.iter_mut().zip(&before) {
                 *sum += after * before;
             }
         }
+    }
+
+    /// Length N.
+    pub fn mean(&self) -> &[f64] {
+        &self.mean
     }
 
     /// Shape N, N.

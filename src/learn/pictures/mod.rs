@@ -9,6 +9,7 @@
 //! ```
 
 mod flaws;
+mod frames;
 mod image;
 mod rig;
 mod scene;
@@ -16,6 +17,7 @@ mod shoot;
 mod template;
 
 pub use flaws::Flaws;
+pub use frames::{Shot, plan_frames};
 pub use rig::{RigOptions, rig};
 pub use scene::{Scene, Studio};
 pub use shoot::{PictureOptions, Summary, shoot};

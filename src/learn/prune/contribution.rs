@@ -1,13 +1,12 @@
-//! How much images of the training frames would lose without each row.
+//! How much images would lose without each row.
 //!
 //! A row of a small Gaussian, or of one that is seldom seen, costs less than another of the same
-//! variance, and so does one of an attribute that changes images little: in the demo's training
-//! clips all correctives of rotation and scale together gain 0.3 dB, those of colour 10.
+//! variance, and so does one of an attribute that changes images little.
 //! [`raster::contributions`] says how visible a Gaussian is in an image. The gain of an attribute
 //! is measured by leaving all of it out. Images show whole bodies, so detail that only a close view
 //! would show counts for little.
 
-use crate::evaluate::camera_at_pitch;
+use crate::likeness::camera_at;
 use crate::math::sampling::evenly_spaced;
 use crate::prune::subject::RowSubject;
 use effigy_core::avatar::{Avatar, Rows};
@@ -15,9 +14,9 @@ use effigy_core::reference::{Canvas, ReferenceFrame, raster};
 use effigy_core::scene::{AvatarBounds, Camera, Posed};
 use half::f16;
 
-/// Training frames that are drawn, each from one side.
-const FRAMES: usize = 24;
-/// Degrees around the avatar. By default, `effigy evaluate` looks from other sides.
+/// Poses that are drawn, each from one side.
+const DRAWN: usize = 24;
+/// Degrees around the avatar.
 const YAWS: [f64; 4] = [70.0, 160.0, 250.0, 340.0];
 /// Radians above the horizon.
 const PITCHES: [f64; 3] = [0.09, 0.6, -0.5];
@@ -26,7 +25,7 @@ const SIZE: [u32; 2] = [384, 512];
 const UNSEEN: f64 = 0.01;
 
 /// For each row of rotation, scale and colour, the error of images without it: squared differences,
-/// summed over pixels and the drawn frames. `gaussians` are the rows' Gaussians;
+/// summed over pixels and the drawn poses. `gaussians` are the rows' Gaussians;
 /// `variances` the rows' variances, of the same shape.
 pub fn image_costs(
     subject: &RowSubject,
@@ -67,24 +66,24 @@ pub fn image_costs(
     costs
 }
 
-/// A pose of a training frame, and a camera.
+/// A pose and a camera.
 struct ContributionView {
     posed: Posed,
     camera: Camera,
 }
 
-/// Some training frames, seen from all sides in turn.
+/// Some poses, seen from all sides in turn.
 fn views(subject: &RowSubject, avatar: &Avatar) -> impl Iterator<Item = ContributionView> {
     let bounds = AvatarBounds::new(subject.body);
     let all: Vec<usize> = (0..subject.poses.len()).collect();
-    evenly_spaced(&all, FRAMES)
+    evenly_spaced(&all, DRAWN)
         .into_iter()
         .enumerate()
         .map(move |(i, pose)| {
             let yaw = YAWS[i % YAWS.len()];
             let pitch = PITCHES[i % PITCHES.len()];
             let posed = Posed::new(avatar, subject.poses[pose]);
-            let camera = camera_at_pitch(&bounds, &posed, yaw, pitch, SIZE);
+            let camera = camera_at(&bounds, &posed, yaw, pitch, SIZE);
             ContributionView { posed, camera }
         })
 }

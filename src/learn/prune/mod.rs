@@ -1,8 +1,10 @@
 //! Which Gaussians keep their correctives.
 
+mod avatar;
 mod contribution;
 mod select;
 mod subject;
 
-pub use select::{Budget, select_rows};
-pub use subject::RowSubject;
+pub use avatar::prune;
+pub use select::{Budget, RetainedRows, select_rows};
+pub use subject::{RowSubject, WIDTHS};

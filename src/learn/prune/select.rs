@@ -1,11 +1,11 @@
-//! Rows by a budget: those whose correctives vary most over the training poses (the paper's section
-//! 3.2), or those that images of the training frames would lose most without.
+//! Rows by a budget: those whose correctives vary most over the poses (the paper's section 3.2), or
+//! those that images in them would lose most without.
 
 use crate::prune::contribution::image_costs;
 use crate::prune::subject::RowSubject;
-use crate::train::block::RetainedRows;
 use effigy_core::avatar::{Avatar, Rows};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// How many rows to retain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,9 +14,34 @@ pub enum Budget {
     Rows(usize),
     /// For each attribute, the fewest rows that hold this share of its variance, 0 to 1.
     Variance(f64),
-    /// So many rows of all three attributes together: those that images of the training frames
-    /// would lose most without.
+    /// So many rows of all three attributes together: those that images would lose
+    /// most without.
     Contribution(usize),
+}
+
+/// Which Gaussians keep a corrective, after pruning or before.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum RetainedRows {
+    /// Every Gaussian has a corrective of every attribute: nothing was pruned.
+    #[default]
+    All,
+    /// For rotation, scale and colour the Gaussians that have a corrective, in rising order.
+    Listed([Vec<u32>; 3]),
+}
+
+impl RetainedRows {
+    /// Those of a range of Gaussians. `attribute`: 0 to 2, rotation, scale and colour.
+    pub fn within(&self, attribute: usize, range: &Range<usize>) -> Vec<u32> {
+        match self {
+            Self::All => (range.start as u32..range.end as u32).collect(),
+            Self::Listed(lists) => {
+                let list = &lists[attribute];
+                let first_from =
+                    |gaussian: usize| list.partition_point(|&k| (k as usize) < gaussian);
+                list[first_from(range.start)..first_from(range.end)].to_vec()
+            }
+        }
+    }
 }
 
 /// The variance of each row's corrective, summed over its components: bᵀ Σ b of the covariance of

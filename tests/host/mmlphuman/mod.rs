@@ -13,8 +13,8 @@ use effigy_formats::{
     pickle::Pickle,
 };
 use effigy_learn::{
-    Budget,
     distil::{AnchorFeatures, DistilOptions, Distilled, SampleOptions, Teacher, distil},
+    prune::Budget,
 };
 use glam::{DMat3, DVec3};
 use serde::Deserialize;

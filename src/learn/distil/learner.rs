@@ -1,10 +1,10 @@
 //! All parts' networks with their targets, trained some epochs at a time.
 
-use crate::math::covariance::RunningCovariance;
-use crate::train::inputs::NetworkInputs;
-use crate::train::network::{
+use crate::distil::inputs::NetworkInputs;
+use crate::distil::network::{
     LAYERS, LayerWidths, Network, QuadraticLoss, Scratch, StepSize, WIDTH, layer_start,
 };
+use crate::math::covariance::RunningCovariance;
 use effigy_core::avatar::{Activation, Avatar, Layer, Networks};
 use effigy_core::random::{Random, hash};
 use half::f16;
@@ -42,8 +42,6 @@ pub struct StageSchedule {
     pub stage: usize,
     /// Epochs of the whole stage, over which the learning rate falls.
     pub epochs: usize,
-    /// Deviation of the noise that is added to poses, radians.
-    pub noise: f32,
 }
 
 impl StageSchedule {
@@ -69,26 +67,6 @@ impl Learner {
             scales: vec![1.0; parts],
             gains: (0..parts).map(|part| inputs.gains(avatar, part)).collect(),
         }
-    }
-
-    /// The networks of an avatar, to be trained on.
-    pub fn from_avatar(avatar: &Avatar, inputs: &NetworkInputs) -> Self {
-        let mut learner = Self::new(avatar, inputs, avatar.basis_len(), 0);
-        for (part, network) in learner.networks.iter_mut().enumerate() {
-            for (l, layer) in avatar.networks.layers.iter().enumerate() {
-                let start = layer_start(&network.widths, l);
-                let count = layer.input * layer.output;
-                let weights = layer.weight.halves();
-                let stored = weights[part * count..][..count]
-                    .iter()
-                    .chain(&layer.bias[part * layer.output..][..layer.output]);
-                for (weight, stored) in network.weights[start..].iter_mut().zip(stored) {
-                    *weight = stored.to_f32();
-                }
-            }
-            unfold_inputs(network, inputs, &learner.gains[part]);
-        }
-        learner
     }
 
     /// Sets a part's target, divided so that its energy over the training frames has mean 1.
@@ -259,21 +237,6 @@ impl Learner {
     }
 }
 
-/// The opposite of folding: a first layer for inputs as they come becomes one for inputs of mean 0
-/// with the part's gains. Weights of numbers that the part doesn't see become 0.
-fn unfold_inputs(network: &mut Network, inputs: &NetworkInputs, gains: &[f32]) {
-    let width = network.widths[0];
-    let hidden = network.widths[1];
-    for neuron in 0..hidden {
-        for (k, &gain) in gains.iter().enumerate() {
-            let weight = network.weights[neuron * width + k];
-            let seen = f32::from(u8::from(gain > 0.0));
-            network.weights[width * hidden + neuron] += weight * inputs.mean[k] * seen;
-            network.weights[neuron * width + k] = if gain > 0.0 { weight / gain } else { 0.0 };
-        }
-    }
-}
-
 /// One part with everything that its training needs.
 struct PartTraining<'a> {
     part: usize,
@@ -303,7 +266,7 @@ impl PartTraining<'_> {
             for batch in self.shuffled_frames(&mut random).chunks(BATCH) {
                 for (row, &frame) in batch.iter().enumerate() {
                     let out = &mut batch_inputs[row * width..][..width];
-                    self.sample_inputs(out, frame as usize, schedule.noise, &mut random);
+                    self.sample_inputs(out, frame as usize, &mut random);
                 }
                 self.network.learn(
                     &batch_inputs[..batch.len() * width],
@@ -324,9 +287,8 @@ impl PartTraining<'_> {
         order
     }
 
-    /// A frame's inputs for training: projected or not, by chance, so that the network knows both,
-    /// with noise on the pose.
-    fn sample_inputs(&self, out: &mut [f32], frame: usize, deviation: f32, random: &mut Random) {
+    /// A frame's inputs for training: projected or not, by chance, so that the network knows both.
+    fn sample_inputs(&self, out: &mut [f32], frame: usize, random: &mut Random) {
         let inputs = self.inputs;
         let from = if random.bits() & 1 == 0 {
             &inputs.projected
@@ -335,13 +297,7 @@ impl PartTraining<'_> {
         };
         let row = &from[frame * inputs.width..][..inputs.width];
         for (k, out) in out.iter_mut().enumerate() {
-            // Most of a step's time is that of drawing noise.
-            let noise = if deviation > 0.0 && k < inputs.pose_width {
-                deviation * (random.normal() as f32)
-            } else {
-                0.0
-            };
-            *out = (row[k] + noise - inputs.mean[k]) * self.gains[k];
+            *out = (row[k] - inputs.mean[k]) * self.gains[k];
         }
     }
 }

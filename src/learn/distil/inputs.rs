@@ -14,7 +14,7 @@ const INFLUENCE_RADIUS: f64 = 0.4;
 /// How much a joint matters everywhere: an arm casts its shadow on the hip.
 const FAR_INFLUENCE: f64 = 0.15;
 
-/// The networks' inputs in every frame of a dataset.
+/// The networks' inputs in every sampled pose.
 pub struct NetworkInputs {
     /// θ_p ⊕ θ_e as the renderer computes it, projected onto the subspaces; shape F, inputs.
     pub projected: Vec<f32>,
@@ -72,29 +72,9 @@ fn coordinate(space: &Subspace, k: usize, x: &[f64]) -> f64 {
 }
 
 impl NetworkInputs {
-    /// `training`: the frames that mean and deviation are taken over.
-    pub fn new(inputs: &Inputs, poses: &[Pose], training: &[usize]) -> Self {
-        let projected = poses
-            .iter()
-            .flat_map(|pose| inputs.from_pose(pose))
-            .map(|x| x as f32)
-            .collect();
-        let raw: Vec<f32> = poses
-            .iter()
-            .flat_map(|pose| inputs.unprojected(pose))
-            .map(|x| x as f32)
-            .collect();
-        Self::from_rows(inputs, raw, projected, training)
-    }
-
     /// Of rows as they are, of which the learner takes either where it learns a frame. Both of
     /// shape F, inputs. `training`: the frames that mean and deviation of `raw` are taken over.
-    pub fn from_rows(
-        inputs: &Inputs,
-        raw: Vec<f32>,
-        projected: Vec<f32>,
-        training: &[usize],
-    ) -> Self {
+    pub fn new(inputs: &Inputs, raw: Vec<f32>, projected: Vec<f32>, training: &[usize]) -> Self {
         let width = inputs.len();
         let count = training.len().max(1) as f64;
         let column = |k: usize| {
@@ -121,7 +101,7 @@ impl NetworkInputs {
     /// as it matters there: joints near the part matter more. 0 for numbers that the part doesn't
     /// see.
     pub fn gains(&self, avatar: &Avatar, part: usize) -> Vec<f32> {
-        let range = avatar.parts.start[part] as usize..avatar.parts.start[part + 1] as usize;
+        let range = avatar.parts.gaussians(part);
         let count = range.len().max(1) as f64;
         let center = range.map(|k| avatar.position(k)).sum::<DVec3>() / count;
         let skeleton = &avatar.skeleton;

@@ -1,4 +1,4 @@
-//! The poses that levels are fitted to and measured in.
+//! Poses of an avatar: of clips, or random ones of those that it was trained for.
 
 use effigy_core::avatar::{Avatar, Pose, Subspace, motion::Player};
 use effigy_core::random::Random;
