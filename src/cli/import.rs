@@ -15,7 +15,7 @@ use effigy_formats::{
     open::{self, ClipOptions, OpenOptions},
     webavatar::{self, ColorCode},
 };
-use effigy_learn::math::pca::pca;
+use effigy_math::pca::pca;
 use std::{
     path::{Path, PathBuf},
     time::Instant,

@@ -16,7 +16,6 @@ pub mod distil;
 pub mod ground_truth;
 pub mod levels;
 mod likeness;
-pub mod math;
 pub mod pictures;
 pub mod plot;
 mod poses;

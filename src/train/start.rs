@@ -8,10 +8,10 @@ use effigy_core::avatar::{
 };
 use effigy_core::layout::TRAIN_BASIS;
 use effigy_core::random::Random;
-use effigy_learn::bake::partition::divide;
-use effigy_learn::bake::spacing::{Dart, choose};
-use effigy_learn::math::pca::pca;
-use effigy_learn::math::weights::weight_bytes;
+use effigy_math::partition::divide;
+use effigy_math::pca::pca;
+use effigy_math::spacing::{Dart, choose};
+use effigy_math::weights::weight_bytes;
 use glam::{DMat3, DQuat, DVec3};
 use half::f16;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};

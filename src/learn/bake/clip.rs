@@ -2,11 +2,11 @@
 
 use crate::bake::body::EXPRESSIONS;
 use crate::bake::source::text::SourceError;
-use crate::math::noise::smoothstep;
 use effigy_core::avatar::{Clip, Pose, Skeleton};
 use effigy_core::io::file::FileError;
 use effigy_core::random::hash;
 use effigy_formats::{open, retarget};
+use effigy_math::noise::smoothstep;
 use glam::{DQuat, DVec3};
 use std::path::Path;
 

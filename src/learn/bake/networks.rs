@@ -6,10 +6,10 @@
 //! parts the nodes' first features are the expression itself, carried through the hidden layers by
 //! pairs of neurons: leaky(x) − leaky(−x) = 1.01 x.
 
-use crate::math::noise::noise;
 use effigy_core::avatar::{Activation, Layer, Networks};
 use effigy_core::constants::LEAKY_SLOPE;
 use effigy_core::random::Random;
+use effigy_math::noise::noise;
 use glam::DVec3;
 use half::f16;
 use rayon::prelude::*;

@@ -1,6 +1,6 @@
 //! The sky that bodies are lit by: directions, and the light that comes from each.
 
-use crate::math::noise::smoothstep;
+use effigy_math::noise::smoothstep;
 use glam::DVec3;
 
 /// Where the key light is, not of unit length.

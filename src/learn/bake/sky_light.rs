@@ -6,7 +6,7 @@
 
 use crate::bake::sky::{direction, radiance};
 use crate::bake::surface::Sheet;
-use crate::math::noise::smoothstep;
+use effigy_math::noise::smoothstep;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 

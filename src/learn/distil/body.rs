@@ -2,11 +2,11 @@
 //! opacity, from the teacher's means.
 
 use crate::distil::teacher::{AnchorFeatures, Teacher, sigmoid};
-use crate::math::{sampling::evenly_spaced, weights::weight_bytes};
 use effigy_core::avatar::{
     Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Matrix, Networks, Nodes, Parts, Rows,
 };
 use effigy_formats::mmlphuman::Checkpoint;
+use effigy_math::{sampling::evenly_spaced, weights::weight_bytes};
 use glam::DVec3;
 use half::f16;
 use rayon::prelude::*;

@@ -3,8 +3,8 @@
 //! stand here one after the other, m numbers a row of inputs.
 
 use crate::distil::teacher::AnchorFeatures;
-use crate::math::matrix::{MatrixView, multiply};
 use effigy_formats::mmlphuman::{Blend, Share};
+use effigy_math::matrix::{MatrixView, multiply};
 use std::ops::Range;
 
 /// Columns of a Gaussian or a node, which blend the same anchors.

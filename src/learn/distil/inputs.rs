@@ -1,8 +1,8 @@
 //! The networks' inputs: numbers for every frame, and the subspaces that novel poses are projected
 //! onto.
 
-use crate::math::pca::pca;
 use effigy_core::avatar::{Avatar, Inputs, Pose, Subspace};
+use effigy_math::pca::pca;
 use glam::DVec3;
 
 /// Principal components of the poses that the file keeps, as in AnimatableGS.

@@ -4,9 +4,9 @@ use crate::distil::inputs::NetworkInputs;
 use crate::distil::network::{
     LAYERS, LayerWidths, Network, QuadraticLoss, Scratch, StepSize, WIDTH, layer_start,
 };
-use crate::math::covariance::RunningCovariance;
 use effigy_core::avatar::{Activation, Avatar, Layer, Networks};
 use effigy_core::random::{Random, hash};
+use effigy_math::covariance::RunningCovariance;
 use half::f16;
 use rayon::prelude::*;
 use std::ops::Range;

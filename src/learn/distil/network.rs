@@ -5,8 +5,8 @@
 //! ‖x − truth‖² = eᵀ M e − 2 eᵀ c + rest, where M = Bᵀ B and c = Bᵀ (truth − neutral). So a batch
 //! costs no more than its features, however many Gaussians the part has.
 
-use crate::math::matrix::{MatrixView, multiply};
 use effigy_core::{constants, random::Random};
+use effigy_math::matrix::{MatrixView, multiply};
 
 /// Neurons of each hidden layer.
 pub const WIDTH: usize = 64;
@@ -390,7 +390,7 @@ mod tests {
             .collect();
         // The least is where M e = c.
         let quadratic: Vec<f64> = target.quadratic.iter().map(|&m| f64::from(m)).collect();
-        let inverse = crate::math::matrix::inverse(&quadratic, 4, 1e-12);
+        let inverse = effigy_math::matrix::inverse(&quadratic, 4, 1e-12);
         let linear = |f: usize, i: usize| f64::from(target.linear[f * 4 + i]);
         let saved = |f: usize| {
             (0..16)

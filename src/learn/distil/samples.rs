@@ -5,9 +5,9 @@
 //! the teacher can be asked anywhere. Every tenth stretch of the training sequence is held out.
 
 use crate::distil::inputs::{NetworkInputs, fit_subspaces};
-use crate::math::sampling::evenly_spaced;
 use effigy_core::avatar::{Inputs, Pose};
 use effigy_core::random::Random;
+use effigy_math::sampling::evenly_spaced;
 
 /// Stretches of the training sequence: neighbouring frames are nearly the same pose, so that single
 /// frames would be no test.

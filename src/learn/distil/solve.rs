@@ -11,10 +11,7 @@
 use crate::distil::basis::{HalfLoss, Solution, center};
 use crate::distil::columns::Columns;
 use crate::distil::teacher::AnchorFeatures;
-use crate::math::matrix::{
-    LeadingEigenvectors, MatrixView, cholesky, inverse, leading_eigenvectors, multiply,
-    multiply_f64,
-};
+use effigy_math::matrix::{Eigen, MatrixView, cholesky, eigen, inverse, multiply, multiply_f64};
 use half::f16;
 
 /// Keeps Σ positive, as a share of its mean variance.
@@ -132,10 +129,9 @@ impl<'a> PartProblem<'a> {
             0.0,
             &mut symmetric,
         );
-        let LeadingEigenvectors { values, vectors } =
-            leading_eigenvectors(&symmetric, width, basis.min(width));
+        let Eigen { values, vectors } = eigen(&symmetric, width);
         let largest = values.first().copied().unwrap_or_default();
-        for (k, (&value, h)) in values.iter().zip(&vectors).enumerate() {
+        for (k, (&value, h)) in values.iter().zip(&vectors).take(basis).enumerate() {
             if value <= 1e-12 * largest {
                 continue;
             }

@@ -10,11 +10,11 @@ use crate::distil::learner::{Learner, StageSchedule};
 use crate::distil::samples::{SampleOptions, Samples};
 use crate::distil::solve::PartProblem;
 use crate::distil::teacher::{AnchorFeatures, Teacher};
-use crate::math::sampling::evenly_spaced;
 use crate::prune::{Budget, RetainedRows, RowSubject, WIDTHS, select_rows};
 use effigy_core::avatar::{Avatar, Matrix, Pose, Rows};
 use effigy_core::io::file::FormatError;
 use effigy_formats::mmlphuman::Checkpoint;
+use effigy_math::sampling::evenly_spaced;
 use half::f16;
 use rayon::prelude::*;
 

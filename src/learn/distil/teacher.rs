@@ -15,12 +15,12 @@
 //! Colour is 0.5 + Y₀ sh₀ + Y₁(d) · sh₁, not below 0, for the direction d from the Gaussian to the
 //! camera, turned back by G₃ₓ₃ᵀ.
 
-use crate::math::matrix::{MatrixView, multiply};
 use effigy_core::avatar::{Activation, Pose};
 use effigy_core::constants::{FEATURE_MAX, LEAKY_SLOPE};
 use effigy_core::io::file::FormatError;
 use effigy_core::reference::project;
 use effigy_formats::mmlphuman::{Blend, Checkpoint, NetworkSource};
+use effigy_math::matrix::{MatrixView, multiply};
 use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -10,7 +10,7 @@
 
 use crate::bake::surface::Material;
 use crate::ground_truth::mesh::Mesh;
-use crate::math::noise::fractal_noise;
+use effigy_math::noise::fractal_noise;
 use glam::{DMat3, DVec3};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rayon::prelude::*;

@@ -1,9 +1,9 @@
 //! A level's arrays from what was merged.
 
 use super::merge::{Axes, Blob, area};
-use crate::math::weights::weight_bytes;
 use effigy_core::avatar::{Avatar, Gaussians, Level, Matrix, Rows, ShCoefficients, matrix::Row};
 use effigy_core::reference::{basis::combine, mlp, project};
+use effigy_math::weights::weight_bytes;
 use glam::{DMat3, DQuat, DVec3};
 use half::f16;
 use rayon::prelude::*;

@@ -7,10 +7,10 @@ use super::merge::Hierarchy;
 use super::pose;
 use super::still::still;
 use super::views::{self, UNIT, View, height, views};
-use crate::math::sampling::evenly_spaced;
 use crate::poses;
 use effigy_core::avatar::{Avatar, Level, Pose, motion::Player};
 use effigy_core::scene::{Camera, Posed};
+use effigy_math::sampling::evenly_spaced;
 use glam::DVec3;
 
 /// A level has one Gaussian for so many of the avatar's. Files and memory grow by 1/4 + 1/16 + 1/64

@@ -7,6 +7,7 @@
 //! positions, in the canonical pose and others, of colours and of normals, weighed by how much of
 //! the pair images show (Ward's criterion).
 
+use effigy_math::matrix::eigen;
 use glam::{DMat3, DVec3};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rayon::prelude::*;
@@ -62,27 +63,13 @@ pub struct Axes {
 impl Axes {
     /// The eigenvectors and eigenvalues of a covariance, largest first.
     pub fn new(covariance: DMat3) -> Self {
-        let rows = covariance.to_cols_array_2d().map(|column| column.to_vec());
         let scale = covariance.x_axis.x + covariance.y_axis.y + covariance.z_axis.z;
         let scale = if scale > 0.0 { scale } else { 1.0 };
-        let rows = rows
-            .into_iter()
-            .map(|row| row.into_iter().map(|v| v / scale).collect())
-            .collect();
-        let found = crate::math::pca::eigen(rows);
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| found.values[b].total_cmp(&found.values[a]));
-        let column = |k: usize| {
-            DVec3::new(
-                found.vectors[0][k],
-                found.vectors[1][k],
-                found.vectors[2][k],
-            )
-        };
-        let [x, y] = [order[0], order[1]].map(|k| column(k).normalize());
+        let found = eigen(&(covariance / scale).to_cols_array(), 3);
+        let [x, y] = [0, 1].map(|k| DVec3::from_slice(&found.vectors[k]).normalize());
         Self {
             rotation: DMat3::from_cols(x, y, x.cross(y)),
-            variance: DVec3::from(order.map(|k| found.values[k].max(0.0) * scale)),
+            variance: DVec3::from_slice(&found.values).max(DVec3::ZERO) * scale,
         }
     }
 }

@@ -1,13 +1,13 @@
 //! What captures have and renderings don't: sensors, lenses, mattes, trackers and calibrations that
 //! are a little off. Amounts of 0 change nothing.
 
-use crate::math::noise::noise as smooth_noise;
 use crate::pictures::image::LinearImage;
 use effigy_capture::CaptureCamera;
 use effigy_core::{
     avatar::{Pose, Skeleton},
     random::Random,
 };
+use effigy_math::noise::noise as smooth_noise;
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 /// How far a capture is from what was there.

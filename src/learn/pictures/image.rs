@@ -1,7 +1,7 @@
 //! Pictures in linear light, before a camera has made numbers of them.
 
-use crate::math::color::encode_srgb;
 use effigy_capture::Picture;
+use effigy_math::color::encode_srgb;
 use glam::DVec3;
 
 /// What stands behind the person: grey paper, linear RGB. sRGB 118, 120, 122.

@@ -1,11 +1,11 @@
 //! An avatar with fewer rows, by what it is in some poses.
 
-use crate::math::covariance::RunningCovariance;
 use crate::poses;
 use crate::prune::{Budget, RetainedRows, RowSubject, WIDTHS, select_rows};
 use effigy_core::avatar::{Avatar, Pose, Rows, motion::Player};
 use effigy_core::reference::basis::corrective;
 use effigy_core::reference::mlp;
+use effigy_math::covariance::RunningCovariance;
 use half::f16;
 
 /// Poses in which rows are weighed.

@@ -7,11 +7,11 @@
 //! would show counts for little.
 
 use crate::likeness::camera_at;
-use crate::math::sampling::evenly_spaced;
 use crate::prune::subject::RowSubject;
 use effigy_core::avatar::{Avatar, Rows};
 use effigy_core::reference::{Canvas, ReferenceFrame, raster};
 use effigy_core::scene::{AvatarBounds, Camera, Posed};
+use effigy_math::sampling::evenly_spaced;
 use half::f16;
 
 /// Poses that are drawn, each from one side.

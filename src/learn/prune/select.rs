@@ -150,7 +150,7 @@ pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: Budget) -> Ret
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::covariance::RunningCovariance;
+    use effigy_math::covariance::RunningCovariance;
     use half::f16;
 
     #[test]

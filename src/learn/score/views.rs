@@ -1,8 +1,8 @@
 //! Which pictures of a capture are compared: those of cameras and frames that were held out, and
 //! some that were not.
 
-use crate::math::sampling::evenly_spaced;
 use effigy_capture::Capture;
+use effigy_math::sampling::evenly_spaced;
 
 /// A camera's picture of a frame, by index into the capture's lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,8 +4,8 @@ use crate::bake::joints::{is_arm, is_lower_leg};
 use crate::bake::outfit::garments::{Outfit, side};
 use crate::bake::outfit::{emblem, palette, shoe};
 use crate::bake::surface::{Material, Site};
-use crate::math::color::linear;
-use crate::math::noise::{fractal_noise, noise, smoothstep};
+use effigy_math::color::linear;
+use effigy_math::noise::{fractal_noise, noise, smoothstep};
 use glam::{DVec2, DVec3};
 
 /// A distance from which no seam is seen, metres.

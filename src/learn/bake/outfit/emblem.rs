@@ -2,7 +2,7 @@
 //!
 //! Points are metres to the avatar's left and up from the emblem's centre.
 
-use crate::math::noise::smoothstep;
+use effigy_math::noise::smoothstep;
 use glam::DVec2;
 
 const WORD: &str = "EFFIGY";

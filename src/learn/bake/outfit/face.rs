@@ -6,8 +6,8 @@ use crate::bake::outfit::palette;
 use crate::bake::source::masks::Masks;
 use crate::bake::style::Style;
 use crate::bake::surface::{Material, Sheet, Site};
-use crate::math::color::linear;
-use crate::math::noise::{fractal_noise, smoothstep};
+use effigy_math::color::linear;
+use effigy_math::noise::{fractal_noise, smoothstep};
 use glam::{DVec2, DVec3};
 
 /// Landmarks of the head, metres in the rest pose.

@@ -8,7 +8,7 @@ use crate::bake::outfit::shoe;
 use crate::bake::source::masks::Masks;
 use crate::bake::style::Style;
 use crate::bake::surface::{Material, Site};
-use crate::math::noise::smoothstep;
+use effigy_math::noise::smoothstep;
 use glam::{DVec2, DVec3};
 
 /// Length of the upper arm that sleeves are measured with, metres.

@@ -3,7 +3,7 @@
 use crate::bake::joints::is_head;
 use crate::bake::outfit::garments::{Outfit, side};
 use crate::bake::surface::{Material, Site};
-use crate::math::noise::{fractal_noise, smoothstep};
+use effigy_math::noise::{fractal_noise, smoothstep};
 use glam::DVec3;
 
 impl Outfit {

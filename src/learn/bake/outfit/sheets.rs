@@ -5,7 +5,7 @@ use crate::bake::joints::is_arm;
 use crate::bake::outfit::garments::Outfit;
 use crate::bake::outfit::shoe;
 use crate::bake::surface::{Material, Sheet, SheetVertex};
-use crate::math::noise::smoothstep;
+use effigy_math::noise::smoothstep;
 
 /// All sheets, the innermost first.
 pub fn sheets(outfit: &Outfit, body: &Body) -> Vec<Sheet> {
