@@ -2,15 +2,17 @@
 //! function came with another version of the system. Where there is none, on older systems and on
 //! others than Android, nothing opens. Sections are there from API 23 on.
 
+#[cfg(feature = "window")]
 use libloading::Library;
-use std::{
-    ffi::{CStr, c_char},
-    sync::OnceLock,
-};
+use std::ffi::CStr;
+#[cfg(feature = "window")]
+use std::{ffi::c_char, sync::OnceLock};
 
+#[cfg(feature = "window")]
 /// The system's library.
 pub const LIBRARY: &str = "libandroid.so";
 
+#[cfg(feature = "window")]
 /// Opens the system's library, or one that stands in for it.
 pub fn load(name: &str) -> Option<Library> {
     // SAFETY: the system's own library, which every app has open already; its initialisers have
@@ -18,6 +20,7 @@ pub fn load(name: &str) -> Option<Library> {
     unsafe { Library::new(name) }.ok()
 }
 
+#[cfg(feature = "window")]
 /// A function of the library.
 ///
 /// # Safety
@@ -29,10 +32,14 @@ pub unsafe fn function<F: Copy>(library: &Library, name: &CStr) -> Option<F> {
         .map(|symbol| *symbol)
 }
 
+#[cfg(feature = "window")]
 type IsEnabled = unsafe extern "C" fn() -> bool;
+#[cfg(feature = "window")]
 type Begin = unsafe extern "C" fn(*const c_char);
+#[cfg(feature = "window")]
 type End = unsafe extern "C" fn();
 
+#[cfg(feature = "window")]
 /// A section of this thread's time, until it is dropped, for the system's tracer where someone
 /// traces.
 pub fn section(name: &CStr) -> Section {
@@ -41,9 +48,16 @@ pub fn section(name: &CStr) -> Section {
     Section(sections.filter(|sections| sections.begin(name)))
 }
 
-/// See [`section`].
-pub struct Section(Option<&'static Sections>);
+/// Nothing, without a window.
+#[cfg(not(feature = "window"))]
+pub fn section(_: &CStr) -> Section {
+    Section()
+}
 
+/// See [`section`].
+pub struct Section(#[cfg(feature = "window")] Option<&'static Sections>);
+
+#[cfg(feature = "window")]
 impl Drop for Section {
     fn drop(&mut self) {
         if let Some(sections) = self.0 {
@@ -52,6 +66,7 @@ impl Drop for Section {
     }
 }
 
+#[cfg(feature = "window")]
 /// `ATrace`: sections that the system's tracer, Perfetto, shows on the thread that begins and ends
 /// them.
 pub struct Sections {
@@ -61,6 +76,7 @@ pub struct Sections {
     _library: Library,
 }
 
+#[cfg(feature = "window")]
 impl Sections {
     /// None where the system has no such thing.
     pub fn open() -> Option<Self> {

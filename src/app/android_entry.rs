@@ -40,7 +40,7 @@ fn android_main(app: AndroidApp) {
         .collect();
     let last_crash = crash_report::install(&folders);
     if let Some(folder) = app.internal_data_path() {
-        cache::set_folder(folder);
+        effigy_runtime::cache::set_folder(folder);
     }
     match show(&app, folders, last_crash) {
         Err(error) => notice::show(&app, &notice::explanation(&error)),
@@ -83,7 +83,10 @@ fn show(
         );
     }
     let options = ViewerOptions {
-        gpu: GpuOptions::headless(None),
+        gpu: GpuOptions {
+            cache: effigy_runtime::cache::folder(),
+            ..GpuOptions::headless(None)
+        },
         renderer: RendererOptions {
             count: soak.is_some(),
             ..RendererOptions::new([1; 2])

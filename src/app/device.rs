@@ -77,7 +77,8 @@ fn has_no_window_extension(error: &Error) -> bool {
         error,
         Error::Call {
             call: "vkCreateInstance",
-            result: vk::Result::ERROR_EXTENSION_NOT_PRESENT
-        }
+            code,
+            ..
+        } if *code == vk::Result::ERROR_EXTENSION_NOT_PRESENT.as_raw()
     )
 }

@@ -51,7 +51,10 @@ impl ViewerOptions {
     /// quality, a light background.
     pub fn new(renderer: RendererOptions) -> Self {
         Self {
-            gpu: GpuOptions::headless(None),
+            gpu: GpuOptions {
+                cache: effigy_runtime::cache::folder(),
+                ..GpuOptions::headless(None)
+            },
             renderer,
             full_screen: false,
             background: BACKGROUND,

@@ -459,7 +459,7 @@ fn panel_error<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
         Err(RendererError::Vulkan(result)) => Err(result).during("drawing the panel"),
         Err(RendererError::GpuAllocator(source)) => Err(Error::Allocation {
             what: "the panel".into(),
-            source,
+            reason: source.to_string(),
         }),
         Err(other) => Err(Error::Overlay(other.to_string())),
     }

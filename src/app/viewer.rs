@@ -182,7 +182,7 @@ impl Viewer {
             ..self.options.renderer
         };
         let avatar = self.scene.avatar();
-        let slow_start = cache::is_first_start().then(|| {
+        let slow_start = cache::is_first_start(self.options.gpu.cache.as_deref()).then(|| {
             SlowStart::new(|| {
                 tracing::warn!("starting: the driver compiles shaders at a first start");
             })

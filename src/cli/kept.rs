@@ -3,7 +3,6 @@
 
 use crate::distil::{self, DistilArgs, Job};
 use anyhow::Context;
-use effigy::vulkan::cache;
 use effigy_core::{avatar::Avatar, io::file::write_whole, random::hash};
 use effigy_formats::{
     mmlphuman,
@@ -33,7 +32,7 @@ struct Place {
 impl Place {
     /// None where the system has no folder for it, or says too little of the file.
     fn of(checkpoint: &Path) -> Option<Self> {
-        let folder = cache::folder()?.join("distilled");
+        let folder = effigy_runtime::cache::folder()?.join("distilled");
         let whole = fs::canonicalize(checkpoint).ok()?;
         let about = whole.metadata().ok()?;
         let changed = about.modified().ok()?.duration_since(UNIX_EPOCH).ok()?;

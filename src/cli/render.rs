@@ -421,7 +421,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     const FOV: f64 = 35.0 / 360.0 * TAU;
     let size = [720, 960];
     let (avatar, player) = source.load_player()?;
-    let gpu = Gpu::new(&effigy::vulkan::GpuOptions::headless(None))?;
+    let gpu = Gpu::new(&options::headless(None))?;
     println!("drawing a turntable with {}", gpu.probe.name);
     let mut slow_start = slow_start(&gpu);
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
@@ -464,5 +464,6 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
 /// Explains a first start, whose wait is for the driver's compiler.
 fn slow_start(gpu: &Gpu) -> Option<SlowStart> {
     let sentence = slow_start::compiling(&gpu.probe.name);
-    cache::is_first_start().then(|| SlowStart::new(move || eprintln!("{sentence}")))
+    cache::is_first_start(gpu.cache_folder())
+        .then(|| SlowStart::new(move || eprintln!("{sentence}")))
 }

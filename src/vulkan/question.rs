@@ -4,7 +4,6 @@
 
 use super::{
     device::{
-        cache,
         error::{Error, Result},
         gpu::Gpu,
         options::GpuOptions,
@@ -114,7 +113,7 @@ impl Question<'_> {
     pub fn ask(&self, gpu: &Arc<Gpu>) -> Result<MethodChoice> {
         sort::choice::choose(gpu)?;
         match rival(&gpu.probe) {
-            Some(rival) => self.ask_about(gpu, rival, cache::folder().as_deref()),
+            Some(rival) => self.ask_about(gpu, rival, gpu.cache_folder()),
             None => Ok(MethodChoice::of(gpu)),
         }
     }

@@ -23,9 +23,17 @@ use std::{
 /// Devices that tests of this process share, by their options.
 static SHARED: Mutex<Vec<(String, Arc<Gpu>)>> = Mutex::new(vec![]);
 
+/// Options for the device that the environment chooses, with the program's cache.
+pub fn headless() -> GpuOptions {
+    GpuOptions {
+        cache: effigy_runtime::cache::folder(),
+        ..GpuOptions::headless(None)
+    }
+}
+
 /// The device that the environment chooses, opened once a process.
 pub fn gpu() -> Arc<Gpu> {
-    open(GpuOptions::headless(None))
+    open(headless())
 }
 
 /// That device, for a test that draws triangles, or compares small avatars: a device that draws
@@ -125,7 +133,7 @@ fn shared(options: &GpuOptions) -> Result<Arc<Gpu>, Error> {
 
 /// Opens the device that most tests use.
 pub fn try_open() -> Result<(), Error> {
-    shared(&GpuOptions::headless(None)).map(drop)
+    shared(&headless()).map(drop)
 }
 
 /// Destroys the shared devices.

@@ -20,7 +20,7 @@ fn an_unknown_device_is_answered_with_the_known_ones() {
     let device = gpu::gpu();
     let options = GpuOptions {
         device: Some("nonesuch 9000".into()),
-        ..GpuOptions::headless(None)
+        ..gpu::headless()
     };
     let message = Gpu::new(&options).err().unwrap().to_string();
     assert!(
@@ -101,8 +101,7 @@ fn a_device_tells_what_became_of_every_shader() {
     if !device.probe.shader_statistics {
         not_run(format!("{} has no shader statistics", device.probe.name));
     }
-    let (asked, executables) =
-        statistics::all(&GpuOptions::headless(None), &a_small_avatar()).unwrap();
+    let (asked, executables) = statistics::all(&gpu::headless(), &a_small_avatar()).unwrap();
     assert_whole(&asked, &executables);
     let refused = asked.idle().unwrap_err();
     assert!(
@@ -116,7 +115,7 @@ fn a_device_without_shader_statistics_says_so() {
     if device.probe.shader_statistics {
         not_run(format!("{} has shader statistics", device.probe.name));
     }
-    let error = statistics::all(&GpuOptions::headless(None), &a_small_avatar()).err();
+    let error = statistics::all(&gpu::headless(), &a_small_avatar()).err();
     let message = error.unwrap().to_string();
     assert!(
         message.contains(&device.probe.name)

@@ -6,7 +6,7 @@ use crate::{
     harness::not_run,
 };
 use effigy::vulkan::{
-    Error, Gpu, GpuOptions, Renderer, RendererOptions, Result, cache,
+    Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
     question::{Question, QuestionScene, Race, Trial},
     raster::choice::MethodChoice,
     sort::choice::choose_in,
@@ -308,7 +308,7 @@ fn a_device_opened_in_two_ways_has_two_records() {
     let whole = driver.gpu.clone();
     driver.gpu = gpu::open(GpuOptions {
         baseline: true,
-        ..GpuOptions::headless(None)
+        ..gpu::headless()
     });
     let folder = driver.folder.path().to_owned();
     let known = MethodChoice::in_folder(&driver.gpu, Some(&folder));
@@ -372,7 +372,11 @@ fn renderers_draw_as_was_measured_and_drop_what_fails() {
         methods: [class, rival],
         ..Driver::new(0.5)
     };
-    cache::set_folder(measured.folder.path().to_owned());
+    let device = gpu::open(GpuOptions {
+        cache: Some(measured.folder.path().to_owned()),
+        ..gpu::headless()
+    });
+    measured.gpu = device.clone();
     let avatar = small();
     let options = RendererOptions::new(SIZE);
     let fresh = Renderer::new(&device, &avatar, options).unwrap();
@@ -397,17 +401,18 @@ fn renderers_draw_as_was_measured_and_drop_what_fails() {
 
 fn a_measured_method_that_a_device_lacks_gives_way() {
     // It has no subgroups, which cooperative tiles need: as after a change that no version tells.
+    let measured = Driver::new(0.5);
     let device = gpu::open(GpuOptions {
         baseline: true,
-        ..GpuOptions::headless(None)
+        cache: Some(measured.folder.path().to_owned()),
+        ..gpu::headless()
     });
     let class = MethodChoice::in_folder(&device, None).class;
     let mut measured = Driver {
         methods: [class, RasterMethod::CooperativeTiles],
         gpu: device.clone(),
-        ..Driver::new(0.5)
+        ..measured
     };
-    cache::set_folder(measured.folder.path().to_owned());
     assert!(measured.run().unwrap().is_rival());
     let avatar = small();
     let mut renderer = Renderer::new(&device, &avatar, RendererOptions::new(SIZE)).unwrap();

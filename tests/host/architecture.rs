@@ -201,6 +201,20 @@ const LAYERS: &[Layers] = &[
         modules: &["rates", "sorts", "stress", "verdict", "commands"],
     },
     Layers {
+        package: "src/math",
+        modules: &[
+            "color",
+            "covariance",
+            "matrix",
+            "noise",
+            "pca",
+            "sampling",
+            "partition",
+            "spacing",
+            "weights",
+        ],
+    },
+    Layers {
         package: "src/measure",
         modules: &[
             "bytes",

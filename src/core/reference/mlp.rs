@@ -3,7 +3,7 @@
 
 use crate::avatar::{Activation, Avatar, matrix::Row};
 use crate::constants::{FEATURE_MAX, LEAKY_SLOPE};
-use rayon::prelude::*;
+use crate::each;
 
 /// e_i = MLP_i(θ_p ⊕ θ_e) for each part i; shape N_G, E, where E is `avatar.networks.output()`.
 ///
@@ -13,13 +13,11 @@ use rayon::prelude::*;
 pub fn features(avatar: &Avatar, input: &[f64]) -> Vec<f64> {
     let mut body = input.to_vec();
     body[3 * avatar.inputs.joint.len()..].fill(0.0);
-    (0..avatar.parts.len())
-        .into_par_iter()
-        .flat_map_iter(|part| {
-            let sees_expression = part < avatar.parts.head;
-            network(avatar, part, if sees_expression { input } else { &body })
-        })
-        .collect()
+    let parts = each::map(avatar.parts.len(), |part| {
+        let sees_expression = part < avatar.parts.head;
+        network(avatar, part, if sees_expression { input } else { &body })
+    });
+    parts.concat()
 }
 
 /// What the attributes of a Gaussian see of all parts' features: the first N_B of its part's.

@@ -6,10 +6,10 @@ use super::mlp;
 use super::nodes::displacement;
 use crate::avatar::{Avatar, LowPass};
 use crate::constants;
+use crate::each;
 use crate::layout::compact::Neutral;
 use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
 use glam::{DAffine3, DMat2, DMat3, DQuat, DVec2, DVec3};
-use rayon::prelude::*;
 
 /// A Gaussian in the posed world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,29 +88,25 @@ pub fn gaussians_from(
     stored: impl Fn(usize) -> Neutral + Sync,
 ) -> Vec<Gaussian> {
     let neutral = &avatar.gaussians;
-    (0..neutral.len())
-        .into_par_iter()
-        .map(|k| {
-            let e = mlp::of_gaussian(avatar, features, k);
+    each::map(neutral.len(), |k| {
+        let e = mlp::of_gaussian(avatar, features, k);
 
-            // δr, δs, δc = B · e (docs/model.md, step 2, the paper's first equation); x = x₀ + δx
-            // (step 4).
-            let own = stored(k);
-            let canonical = Canonical {
-                position: avatar.position(k)
-                    + displacement(own.node_weights, neutral.node[k], nodes),
-                neutral_rotation: own.rotation,
-                rotation_corrective: corrective(&avatar.rotation_rows, k, e),
-                log_scale: DVec3::from(plus(
-                    neutral.log_scale[k].map(f64::from),
-                    corrective(&avatar.scale_rows, k, e),
-                )),
-                color: DVec3::from(plus(own.color, corrective(&avatar.color_rows, k, e))),
-            };
-            let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
-            pose(&canonical, &g, neutral.opacity[k])
-        })
-        .collect()
+        // δr, δs, δc = B · e (docs/model.md, step 2, the paper's first equation); x = x₀ + δx
+        // (step 4).
+        let own = stored(k);
+        let canonical = Canonical {
+            position: avatar.position(k) + displacement(own.node_weights, neutral.node[k], nodes),
+            neutral_rotation: own.rotation,
+            rotation_corrective: corrective(&avatar.rotation_rows, k, e),
+            log_scale: DVec3::from(plus(
+                neutral.log_scale[k].map(f64::from),
+                corrective(&avatar.scale_rows, k, e),
+            )),
+            color: DVec3::from(plus(own.color, corrective(&avatar.color_rows, k, e))),
+        };
+        let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
+        pose(&canonical, &g, neutral.opacity[k])
+    })
 }
 
 /// A Gaussian in canonical space, correctives included (docs/model.md, steps 2 to 5).
@@ -175,10 +171,9 @@ pub fn splats(
     level: u32,
 ) -> Vec<Result<Splat, Culled>> {
     let low_pass = low_pass.into();
-    gaussians
-        .par_iter()
-        .map(|gaussian| project(gaussian, camera, low_pass, level))
-        .collect()
+    each::map(gaussians.len(), |k| {
+        project(&gaussians[k], camera, low_pass, level)
+    })
 }
 
 /// EWA projection of one Gaussian, with the low-pass, and culling (docs/model.md, step 8). The

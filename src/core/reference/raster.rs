@@ -6,10 +6,10 @@ use super::{
 };
 use crate::{
     constants::{ALPHA_MAX, ALPHA_MIN},
+    each,
     scene::{Camera, FrameImage},
 };
 use glam::{DVec2, DVec4};
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Rows of pixels that one task draws: few enough to share the work evenly, many enough that most
@@ -159,7 +159,8 @@ pub fn raster_backward(
         sums
     };
     // In the order of the bands, whatever the number of threads.
-    let bands: Vec<Vec<SplatGradient>> = Band::of(camera.size).par_iter().map(of_band).collect();
+    let bands = Band::of(camera.size);
+    let bands = each::map(bands.len(), |at| of_band(&bands[at]));
     let mut all = vec![SplatGradient::default(); splats.len()];
     for band in bands {
         for (all, one) in all.iter_mut().zip(band) {
@@ -245,10 +246,10 @@ impl Band {
 fn in_bands(size: [u32; 2], draw: impl Fn(&Band, &mut [[f64; 4]]) + Sync) -> Canvas {
     let [width, height] = size.map(|side| side as usize);
     let mut pixels = vec![[0.0; 4]; width * height];
-    pixels
-        .par_chunks_mut((width * BAND).max(1))
-        .zip(Band::of(size))
-        .for_each(|(pixels, band)| draw(&band, pixels));
+    let bands = Band::of(size);
+    each::chunk(&mut pixels, (width * BAND).max(1), |at, pixels| {
+        draw(&bands[at], pixels);
+    });
     Canvas { size, pixels }
 }
 
@@ -274,7 +275,8 @@ pub fn contributions(splats: &[Result<Splat, Culled>], order: &[u32], camera: &C
         }
         sums
     };
-    let bands: Vec<Vec<f64>> = Band::of(camera.size).par_iter().map(sums).collect();
+    let bands = Band::of(camera.size);
+    let bands = each::map(bands.len(), |at| sums(&bands[at]));
     (0..splats.len())
         .map(|k| bands.iter().map(|band| band[k]).sum())
         .collect()

@@ -5,9 +5,9 @@ use super::basis::{corrective, plus};
 use super::mlp;
 use super::project::{Gaussian, skinning};
 use crate::avatar::{Avatar, ShCoefficients, harmonics::functions};
+use crate::each;
 use crate::scene::{Camera, Posed};
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// RGB of every Gaussian as the camera sees it, at least 0, before correctives; length N_g. None
 /// for an avatar without spherical harmonics.
@@ -36,12 +36,7 @@ pub fn colors(
             (g.matrix3.transpose() * direction).normalize_or_zero(),
         )
     };
-    Some(
-        (0..avatar.gaussians.len())
-            .into_par_iter()
-            .map(color)
-            .collect(),
-    )
+    Some(each::map(avatar.gaussians.len(), color))
 }
 
 fn sum(sh: &ShCoefficients, gaussian: usize, neutral: DVec3, direction: DVec3) -> DVec3 {
@@ -67,13 +62,12 @@ pub fn apply_colors(
     let Some(colors) = colors(avatar, posed, camera, |k| gaussians[k].mean) else {
         return;
     };
-    gaussians
-        .par_iter_mut()
-        .zip(&colors)
-        .enumerate()
-        .for_each(|(k, (gaussian, color))| {
-            let e = mlp::of_gaussian(avatar, features, k);
-            let sum = plus(color.to_array(), corrective(&avatar.color_rows, k, e));
-            gaussian.color = DVec3::from(sum).clamp(DVec3::ZERO, DVec3::ONE);
-        });
+    let colors = each::map(colors.len(), |k| {
+        let e = mlp::of_gaussian(avatar, features, k);
+        let sum = plus(colors[k].to_array(), corrective(&avatar.color_rows, k, e));
+        DVec3::from(sum).clamp(DVec3::ZERO, DVec3::ONE)
+    });
+    for (gaussian, color) in gaussians.iter_mut().zip(colors) {
+        gaussian.color = color;
+    }
 }

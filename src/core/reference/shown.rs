@@ -4,10 +4,10 @@ use super::frame::{gaussians_of, render_gaussians};
 use super::project::{Gaussian, project_within};
 use super::{raster::raster, sort::order};
 use crate::avatar::{Avatar, Filter, LowPass};
+use crate::each;
 use crate::frame::atlas::{LevelInput, Seen, Slot, arrange};
 use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling, supersampling};
 use glam::UVec2;
-use rayon::prelude::*;
 
 /// The image of one avatar in several poses, with `supersampling` and, if given, another low-pass
 /// than its own: as a renderer draws its first frame. What is small is drawn from the avatar's
@@ -88,10 +88,9 @@ pub fn slot_image(
     };
     let own = alone.camera(camera, alone.rect().max.into());
     let limits = camera.derivative_limits();
-    let splats: Vec<_> = gaussians
-        .par_iter()
-        .map(|gaussian| project_within(gaussian, &own, limits, low_pass, 0))
-        .collect();
+    let splats = each::map(gaussians.len(), |k| {
+        project_within(&gaussians[k], &own, limits, low_pass, 0)
+    });
     let drawn = raster(&splats, &order(&splats), &own).to_image();
     let average = drawn.resampled(slot.factor, slot.around.sides().into());
     let mut image = FrameImage::empty(camera.size);

@@ -14,10 +14,10 @@ use super::{
 };
 use crate::{
     avatar::Filter,
+    each,
     scene::{Camera, PixelRect},
 };
 use glam::{DMat3, DVec2, DVec3};
-use rayon::prelude::*;
 
 /// Light left over at which a pixel is done: what lies behind shows less than this.
 const LIGHT_MIN: f64 = 1e-3;
@@ -68,32 +68,31 @@ pub fn carry(from: &SurfaceView, to: &SurfaceView, rect: PixelRect, samples: u32
     let scale = f64::from(samples);
     let samples = samples as usize;
     let width = (rect.max.x - rect.min.x) as usize;
-    let pixels: Vec<Vec<Carried>> = Band::of(camera.size)
-        .par_iter()
-        .map(|band| {
-            let mut light = vec![1.0; band.pixels()];
-            let mut sums = vec![Sum::default(); band.pixels() / (samples * samples)];
-            for surfel in &surfels {
-                surfel.ellipse.each_pixel(band, |at, place, alpha| {
-                    let weight = alpha * light[at];
-                    if light[at] < LIGHT_MIN {
-                        return;
-                    }
-                    light[at] *= 1.0 - alpha;
-                    let row = at / (width * samples) / samples;
-                    let column = at % (width * samples) / samples;
-                    let here = place / scale + rect.min.as_dvec2();
-                    sums[row * width + column].add(weight, here, surfel, &camera, place, to.camera);
-                });
-            }
-            let first = band.rows.start / samples;
-            let carried = |(at, sum): (usize, &Sum)| {
-                let pixel = DVec2::new((at % width) as f64, (first + at / width) as f64);
-                sum.carried(pixel + 0.5 + rect.min.as_dvec2(), scale * scale)
-            };
-            sums.iter().enumerate().map(carried).collect()
-        })
-        .collect();
+    let bands = Band::of(camera.size);
+    let pixels: Vec<Vec<Carried>> = each::map(bands.len(), |at| {
+        let band = &bands[at];
+        let mut light = vec![1.0; band.pixels()];
+        let mut sums = vec![Sum::default(); band.pixels() / (samples * samples)];
+        for surfel in &surfels {
+            surfel.ellipse.each_pixel(band, |at, place, alpha| {
+                let weight = alpha * light[at];
+                if light[at] < LIGHT_MIN {
+                    return;
+                }
+                light[at] *= 1.0 - alpha;
+                let row = at / (width * samples) / samples;
+                let column = at % (width * samples) / samples;
+                let here = place / scale + rect.min.as_dvec2();
+                sums[row * width + column].add(weight, here, surfel, &camera, place, to.camera);
+            });
+        }
+        let first = band.rows.start / samples;
+        let carried = |(at, sum): (usize, &Sum)| {
+            let pixel = DVec2::new((at % width) as f64, (first + at / width) as f64);
+            sum.carried(pixel + 0.5 + rect.min.as_dvec2(), scale * scale)
+        };
+        sums.iter().enumerate().map(carried).collect()
+    });
     pixels.concat()
 }
 
@@ -113,24 +112,22 @@ struct Surfel {
 /// it enlarged.
 fn surfels(from: &SurfaceView, to: &SurfaceView, camera: &Camera) -> Vec<Surfel> {
     let splats = project::splats(from.gaussians, camera, from.filter, 0);
-    sort::order(&splats)
-        .into_par_iter()
-        .rev()
-        .filter_map(|k| {
-            let k = k as usize;
-            let own = &from.gaussians[k];
-            let other = &to.gaussians[k];
-            Some(Surfel {
-                ellipse: DrawnSplat::new(splats[k].as_ref().ok()?, camera),
-                ray: RayGaussian::new(own, camera, from.filter.into()),
-                mean: camera.view.transform_point3(own.mean),
-                mean_there: to.camera.view.transform_point3(other.mean),
-                motion: to.camera.view.matrix3
-                    * moved(own.axes, other.axes)
-                    * camera.view.matrix3.inverse(),
-            })
+    let order = sort::order(&splats);
+    let near_to_far = each::map(order.len(), |at| {
+        let k = order[order.len() - 1 - at] as usize;
+        let own = &from.gaussians[k];
+        let other = &to.gaussians[k];
+        Some(Surfel {
+            ellipse: DrawnSplat::new(splats[k].as_ref().ok()?, camera),
+            ray: RayGaussian::new(own, camera, from.filter.into()),
+            mean: camera.view.transform_point3(own.mean),
+            mean_there: to.camera.view.transform_point3(other.mean),
+            motion: to.camera.view.matrix3
+                * moved(own.axes, other.axes)
+                * camera.view.matrix3.inverse(),
         })
-        .collect()
+    });
+    near_to_far.into_iter().flatten().collect()
 }
 
 /// The linear map from one posture of a Gaussian to another; none where it has no inverse.

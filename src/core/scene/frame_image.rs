@@ -1,7 +1,7 @@
 //! Images in memory, as every backend and the reference return them: premultiplied colour and
 //! coverage, without a background.
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "image")]
 use image::{ImageBuffer, Rgba, RgbaImage};
 
 /// An image of premultiplied display-referred RGBA, row by row from the top left.
@@ -101,7 +101,7 @@ impl FrameImage {
     }
 }
 
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(feature = "image")]
 impl FrameImage {
     /// Blends the image over a background colour, to 8 bits a channel.
     ///

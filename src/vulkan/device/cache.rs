@@ -7,32 +7,16 @@ use effigy_core::io::file::write_whole;
 use std::{
     fs, io,
     path::{Path, PathBuf},
-    sync::{Arc, OnceLock},
+    sync::Arc,
 };
-
-/// A folder that is to be used in place of the system's.
-static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-
-/// Keeps caches in a folder from now on, where the system says only to the app itself which one is
-/// its own. The first call counts.
-pub fn set_folder(folder: PathBuf) {
-    let _ = FOLDER.set(folder);
-}
-
-/// The program's cache folder, where the system has such a thing. It may not exist yet.
-pub fn folder() -> Option<PathBuf> {
-    FOLDER.get().cloned().or_else(|| {
-        directories::ProjectDirs::from("", "", "effigy").map(|dirs| dirs.cache_dir().to_path_buf())
-    })
-}
 
 /// Begins the names of files with pipelines.
 const PIPELINES: &str = "pipelines-";
 
-/// Whether no program of this user has drawn anything yet: the first waits for the driver to compile
-/// shaders.
-pub fn is_first_start() -> bool {
-    let files = folder().and_then(|folder| fs::read_dir(folder).ok());
+/// Whether a folder has no compiled pipelines yet: the first program that draws with it waits for the
+/// driver to compile shaders.
+pub fn is_first_start(folder: Option<&Path>) -> bool {
+    let files = folder.and_then(|folder| fs::read_dir(folder).ok());
     let mut names = files.into_iter().flatten().flatten();
     !names.any(|file| file.file_name().to_string_lossy().starts_with(PIPELINES))
 }
@@ -73,9 +57,9 @@ impl PipelineCache {
 
     /// One file a device and driver build. The driver checks the content; its header is compared
     /// here too, since not all do.
-    pub(crate) fn open(device: &Arc<Device>, probe: &Probe) -> Self {
+    pub(crate) fn open(device: &Arc<Device>, probe: &Probe, folder: Option<&Path>) -> Self {
         let name = format!("{PIPELINES}{}.bin", probe.cache_key());
-        let path = folder().map(|folder| folder.join(name));
+        let path = folder.map(|folder| folder.join(name));
         let data = path
             .as_ref()
             .and_then(|path| fs::read(path).ok())

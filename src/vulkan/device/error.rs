@@ -10,10 +10,11 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// Errors of the Vulkan backend.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// The Vulkan loader is missing or could not be loaded.
     #[error("no Vulkan loader on this machine ({0})")]
-    NoLoader(#[from] ash::LoadingError),
+    NoLoader(String),
     /// No installed driver offers a device.
     #[error("no Vulkan device on this machine")]
     NoDevice,
@@ -133,8 +134,10 @@ pub enum Error {
     Call {
         /// The Vulkan function, or what it was called for.
         call: &'static str,
-        /// The result that it returned.
-        result: vk::Result,
+        /// The `VkResult` that it returned.
+        code: i32,
+        /// What that means.
+        result: String,
     },
     /// The avatar's arrays contradict each other, or hold a number that can't be drawn.
     #[error("this avatar can't be drawn: {0}")]
@@ -143,12 +146,12 @@ pub enum Error {
     #[error("this can't be drawn: {0}")]
     Unusable(#[from] effigy_core::frame::Unusable),
     /// The allocator of device memory failed, though not for lack of memory.
-    #[error("allocating {what} failed: {source}")]
+    #[error("allocating {what} failed: {reason}")]
     Allocation {
         /// The purpose of the memory.
         what: String,
-        /// The allocator's error.
-        source: gpu_allocator::AllocationError,
+        /// What the allocator says.
+        reason: String,
     },
 }
 
@@ -201,7 +204,11 @@ impl<T> During<T> for std::result::Result<T, vk::Result> {
             },
             vk::Result::ERROR_DEVICE_LOST => Error::DeviceLost(call),
             vk::Result::ERROR_SURFACE_LOST_KHR => Error::SurfaceLost(call),
-            result => Error::Call { call, result },
+            result => Error::Call {
+                call,
+                code: result.as_raw(),
+                result: result.to_string(),
+            },
         })
     }
 }

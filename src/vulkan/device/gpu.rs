@@ -21,6 +21,7 @@ use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::{
     mem::ManuallyDrop,
     ops::Deref,
+    path::{Path, PathBuf},
     sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError},
 };
 
@@ -43,6 +44,8 @@ pub struct Gpu {
     pub(crate) allocator: ManuallyDrop<Arc<Mutex<Allocator>>>,
     /// The driver's compiled pipelines, saved to disk.
     pub(crate) cache: PipelineCache,
+    /// [`GpuOptions::cache`].
+    cache_folder: Option<PathBuf>,
     /// Pipelines that renderers share.
     pub(crate) kept_pipelines: KeptPipelines,
     /// Limits, features and extensions of the physical device.
@@ -71,6 +74,11 @@ impl Deref for Gpu {
 }
 
 impl Gpu {
+    /// The folder in which things are kept from start to start, if any.
+    pub fn cache_folder(&self) -> Option<&Path> {
+        self.cache_folder.as_deref()
+    }
+
     /// Opens a device.
     pub fn new(options: &GpuOptions) -> Result<Arc<Self>> {
         let instance = Instance::new(options.validation, &options.surface_extensions)?;
@@ -109,13 +117,13 @@ impl Gpu {
         })
         .map_err(|source| Error::Allocation {
             what: "the allocator".into(),
-            source,
+            reason: source.to_string(),
         })?;
         // What comes from a cache has no statistics on some drivers.
         let cache = if options.statistics {
             PipelineCache::none()
         } else {
-            PipelineCache::open(&device, &probe)
+            PipelineCache::open(&device, &probe, options.cache.as_deref())
         };
         #[cfg(feature = "window")]
         let swapchain = features
@@ -126,6 +134,7 @@ impl Gpu {
             queue_family,
             allocator: ManuallyDrop::new(Arc::new(Mutex::new(allocator))),
             cache,
+            cache_folder: options.cache.clone(),
             kept_pipelines: KeptPipelines::default(),
             calibration: Calibration::new(&device, &probe),
             #[cfg(feature = "window")]

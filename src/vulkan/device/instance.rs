@@ -35,7 +35,8 @@ impl Instance {
     pub fn new(validation: bool, surface: &[&CStr]) -> Result<Self> {
         // SAFETY: the loader is a library of the system's; its initialisers are as trusted as the
         // driver itself.
-        let entry = unsafe { ash::Entry::load()? };
+        let entry =
+            unsafe { ash::Entry::load() }.map_err(|error| Error::NoLoader(error.to_string()))?;
         // SAFETY: no pointers are passed in.
         let available = unsafe { entry.enumerate_instance_extension_properties(None) }
             .during("vkEnumerateInstanceExtensionProperties")?;

@@ -1,6 +1,6 @@
 //! Options for opening a device.
 
-use std::ffi::CStr;
+use std::{ffi::CStr, path::PathBuf};
 
 /// How to choose and open a device.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +15,9 @@ pub struct GpuOptions {
     /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened
     /// so.
     pub statistics: bool,
+    /// Folder for compiled pipelines, and for what self-tests and measurements found: later starts
+    /// save their time. It is made where it is missing. None: nothing is kept.
+    pub cache: Option<PathBuf>,
     /// Instance extensions of a window's surface; empty where no window is drawn to.
     pub surface_extensions: Vec<&'static CStr>,
 }

@@ -44,7 +44,7 @@ impl Allocation {
             },
             source => Error::Allocation {
                 what: name.into(),
-                source,
+                reason: source.to_string(),
             },
         })?;
         // SAFETY: the block is kept here, and freed after what is bound to it.

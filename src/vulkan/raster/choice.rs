@@ -5,7 +5,6 @@ use crate::{
     quirks::leaves_loops,
     vulkan::{
         device::{
-            cache,
             gpu::Gpu,
             probe::Probe,
             trial::{Outcome, Record, Tried},
@@ -35,7 +34,7 @@ pub struct MethodChoice {
 impl MethodChoice {
     /// What is known of a device.
     pub fn of(gpu: &Gpu) -> Self {
-        Self::in_folder(gpu, cache::folder().as_deref())
+        Self::in_folder(gpu, gpu.cache_folder())
     }
 
     /// [`Self::of`], with the record in `folder`.
@@ -87,7 +86,7 @@ pub(crate) fn record(gpu: &Gpu, folder: Option<&Path>) -> Record<RasterMethod> {
 pub(crate) fn strike_off(gpu: &Gpu, method: RasterMethod, why: &str) {
     let name = method.name();
     tracing::warn!("{name} failed, and is not used any more: {why}");
-    record(gpu, cache::folder().as_deref()).write(&[Tried {
+    record(gpu, gpu.cache_folder()).write(&[Tried {
         variant: method,
         outcome: Outcome::Refused(why.to_owned()),
     }]);

@@ -8,7 +8,6 @@ use super::{
 };
 use crate::vulkan::{
     device::{
-        cache,
         error::{Error, Result},
         gpu::Gpu,
         trial::{Outcome, Record, SortChoice, Tried},
@@ -57,7 +56,7 @@ pub fn choose(gpu: &Arc<Gpu>) -> Result<SortChoice> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.clone());
     }
-    let choice = choose_in(gpu, cache::folder().as_deref())?;
+    let choice = choose_in(gpu, gpu.cache_folder())?;
     Ok(gpu.sorts.chosen.get_or_init(|| choice).clone())
 }
 
@@ -68,7 +67,7 @@ pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.variant);
     }
-    let record = record(gpu, cache::folder().as_deref());
+    let record = record(gpu, gpu.cache_folder());
     // Read each time: a test behind a window may have found something since.
     let tried = record.read();
     if let Some(choice) = chosen(gpu, &tried) {
@@ -103,7 +102,7 @@ fn untried(gpu: &Gpu, tried: &[Tried<SortVariant>]) -> Vec<SortVariant> {
 /// Whether every variant has a record, so that [`choose`] tests nothing.
 pub fn is_tested(gpu: &Gpu) -> bool {
     gpu.sorts.chosen.get().is_some() || {
-        let record = record(gpu, cache::folder().as_deref());
+        let record = record(gpu, gpu.cache_folder());
         untried(gpu, &record.read()).is_empty()
     }
 }
@@ -187,7 +186,7 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     }
     let known = match gpu.sorts.chosen.get() {
         Some(choice) => find(&choice.tried),
-        None => find(&record(gpu, cache::folder().as_deref()).read()),
+        None => find(&record(gpu, gpu.cache_folder()).read()),
     };
     match known {
         // It may lack no more than a use here.

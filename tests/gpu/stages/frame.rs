@@ -62,7 +62,7 @@ fn floating_point_images_agree_with_the_reference() {
 fn a_baseline_device_draws_within_the_error_budget() {
     let device = gpu::open(GpuOptions {
         baseline: true,
-        ..GpuOptions::headless(None)
+        ..gpu::headless()
     });
     assert_eq!(
         (device.probe.timestamp_bits, device.probe.subgroup_sizes),

@@ -53,11 +53,11 @@ fn cases(seed: u64, options: GpuOptions, rounds: Range<u64>) {
 }
 
 fn every_category_is_drawn_within_its_bounds() {
-    cases(1, GpuOptions::headless(None), 0..1);
+    cases(1, gpu::headless(), 0..1);
 }
 
 fn more_of_every_category_is_drawn_within_its_bounds() {
-    cases(1, GpuOptions::headless(None), 1..3);
+    cases(1, gpu::headless(), 1..3);
 }
 
 fn a_mean_may_leave_out_a_thin_share_of_a_texel() {
@@ -73,7 +73,7 @@ fn the_least_device_is_as_stable() {
         2,
         GpuOptions {
             baseline: true,
-            ..GpuOptions::headless(None)
+            ..gpu::headless()
         },
         0..1,
     );
@@ -82,7 +82,7 @@ fn the_least_device_is_as_stable() {
 fn pipelines_that_are_kept_change_no_bit() {
     let seed = 1;
     let cases = 0..Category::ROUND;
-    let fresh = Gpu::new(&GpuOptions::headless(None)).unwrap();
+    let fresh = Gpu::new(&gpu::headless()).unwrap();
     let mut expected = Vec::new();
     for number in cases.clone() {
         let case = StressCase::new(seed, number, false).for_device(&fresh.probe);

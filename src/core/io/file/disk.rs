@@ -4,10 +4,10 @@ use super::error::{FileError, FormatError};
 use crate::random::hash;
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Maps a file and decodes it.
+/// Reads a file and decodes it.
 pub fn read_with<T>(
     path: &Path,
     decode: impl FnOnce(&[u8]) -> Result<T, FormatError>,
@@ -16,31 +16,18 @@ pub fn read_with<T>(
         file: path.into(),
         cause,
     };
-    let file = File::open(path).map_err(failed)?;
+    let mut file = File::open(path).map_err(failed)?;
     if !file.metadata().map_err(failed)?.is_file() {
         return Err(failed(io::Error::other(
             "found a folder or device, expected a file",
         )));
     }
-    #[cfg(not(target_arch = "wasm32"))]
-    let bytes = map(&file).map_err(failed)?;
-    #[cfg(target_arch = "wasm32")]
-    let bytes = fs::read(path).map_err(failed)?;
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes).map_err(failed)?;
     decode(&bytes).map_err(|fault| FileError::Content {
         file: path.into(),
         fault,
     })
-}
-
-/// Maps a file into memory; its bytes are read on access.
-///
-/// # Errors
-/// When the system cannot map the file.
-#[cfg(not(target_arch = "wasm32"))]
-pub fn map(file: &File) -> io::Result<memmap2::Mmap> {
-    // SAFETY: the mapping is only read. Should another program shorten the file meanwhile, the
-    // system ends this process; this one never does, as it replaces files whole.
-    unsafe { memmap2::Mmap::map(file) }
 }
 
 /// Writes encoded bytes to a file, whole or not at all.

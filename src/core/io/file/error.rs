@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 /// Why a file was not read or written.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum FileError {
     /// It can't be opened or read.
     #[error("cannot read {}: {cause}", .file.display())]
@@ -35,6 +36,7 @@ pub enum FileError {
 
 /// Which rule of the format a file's content breaks, in one sentence.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FormatError {
     /// The container: the header or its length.
     #[error("found {}, expected {expected}", cut(.found))]

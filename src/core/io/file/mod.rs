@@ -19,8 +19,6 @@ mod rules;
 mod sets;
 mod tensors;
 
-#[cfg(not(target_arch = "wasm32"))]
-pub use disk::map;
 pub use disk::{check_writable, place, read_with, replace, write_whole};
 pub use error::{FileError, FormatError, excerpt};
 pub use model_files::{FileContent, tensors, tensors_of};
