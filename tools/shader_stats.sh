@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# What Mesa's compilers for phones make of every shader, without a phone: builds the program, runs `effigy devices --shader-stats` on
+# What Mesa's compilers for phones make of every shader, without a phone: builds the program, runs `effigy-lab shader-stats` on
 # emulated Adreno and Mali devices, and prints a table. Nothing runs on those devices.
 # usage: tools/shader_stats.sh DRIVERS [FILE.csv]
 #   DRIVERS   a folder with two programs, `adreno GPU_ID COMMAND…` and `mali GPU_ID COMMAND…`, that run a command with Mesa's turnip or
 #             panvk over a kernel that does nothing (Mesa's drm-shim), as those drivers' own option `-Dtools=drm-shim` builds them
 #   FILE.csv  where to write the numbers: of all pipelines of a shader, the worst (docs/experiments/data/shaders.csv has the last)
-# EFFIGY=PROGRAM uses a program that is built already.
+# EFFIGY_LAB=PROGRAM uses a laboratory that is built already.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -13,21 +13,21 @@ cd "$(dirname "$0")/.."
 case $1 in -*) usage >&2; exit 2 ;; esac
 drivers=$1
 [ -x "$drivers/adreno" ] && [ -x "$drivers/mali" ] || { echo "$drivers has no programs \`adreno\` and \`mali\`" >&2; exit 2; }
-[ -n "${EFFIGY:-}" ] || need_rust
-build_effigy
-effigy=$EFFIGY
+[ -n "${EFFIGY_LAB:-}" ] || need_rust
+effigy_lab --version >/dev/null
+lab=$EFFIGY_LAB
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 limit=${EFFIGY_STATS_SECONDS:-300}
 
 # All rows: device, shader, program of the driver's, statistic, value.
 adreno() { # GPU_ID
-  timeout "$limit" "$drivers/adreno" "$1" "$effigy" devices --shader-stats --csv "$work/one.csv" >/dev/null 2>"$work/log" ||
+  timeout "$limit" "$drivers/adreno" "$1" "$lab" shader-stats --csv "$work/one.csv" >/dev/null 2>"$work/log" ||
     { tail -n 3 "$work/log" >&2; return 1; }
   awk -F, -v OFS=, -v device="Adreno $1" 'NR > 1 { print device, $2, $4, $6, $7 }' "$work/one.csv"
 }
 # Mesa 25.0's panvk tells the size of the code only, and prints the rest in the order of compilation; for Bifrost it declares Vulkan 1.0.
 mali() { # GPU_ID NAME
-  MESA_VK_VERSION_OVERRIDE=1.1 timeout "$limit" "$drivers/mali" "$1" "$effigy" -vv devices --shader-stats >/dev/null 2>"$work/log" ||
+  MESA_VK_VERSION_OVERRIDE=1.1 timeout "$limit" "$drivers/mali" "$1" "$lab" -vv shader-stats >/dev/null 2>"$work/log" ||
     { tail -n 3 "$work/log" >&2; return 1; }
   awk -v OFS=, -v device="Mali $2" '
     / compiling / { sub(/.* compiling /, ""); split($1, file, "+") }

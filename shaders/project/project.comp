@@ -21,6 +21,7 @@ layout(std430, set = 0, binding = 3) readonly buffer PoseBuffer { uvec2 pose[]; 
 layout(std430, set = 0, binding = 4) buffer Splats { uint words[]; };
 #include "common/pose.glsl"
 #include "project/projection.glsl"
+#include "common/rotation.glsl"
 
 uint feature_of(uint head) { return frame.feature_start + (head >> 16u) * frame.feature_quads; }
 
@@ -53,14 +54,6 @@ vec4 row_dot4(uint head, uint at) {
                     dot(unpackSnorm4x8(rows[at + 3u * quads + b]), features));
     } while (++b < quads);
     return scale_of(head) * sum;
-}
-
-// The rotation matrix of a unit quaternion w x y z, given in (x, y, z, w) of the vector.
-mat3 rotation_matrix(vec4 q) {
-    float w = q.x, x = q.y, y = q.z, z = q.w;
-    return mat3(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y),
-                2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x),
-                2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y));
 }
 
 // Whether all parts of the 32 Gaussians of a block lie outside the view.

@@ -15,6 +15,7 @@ PARAMETER(2, uint, COUNTS_AT, 0u)
 #define FIRST_COUNTS_AT frame.count_start
 #define FIRST_COUNTS_TILE frame.count_tile
 #include "sort/first_counts.glsl"
+#include "common/footprint.glsl"
 #include "project/culled.glsl"
 
 // Projects a mean `p` in camera space, metres: gives its centre in the image, px, and its key, 0 to
@@ -68,21 +69,15 @@ uint detail_opacity(uint opacity) {
 uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 color,
                  uint opacity) {
     vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
-    vec3 mu = frame.focal.x / p.z * (rows[0] - slope.x * rows[2]) * axes;
-    vec3 mv = frame.focal.y / p.z * (rows[1] - slope.y * rows[2]) * axes;
-    float low_pass = frame.low_pass;
-    vec3 covariance = vec3(dot(mu, mu) + low_pass, dot(mu, mv), dot(mv, mv) + low_pass);
-    // |u × v|² is the determinant of the covariance before the low-pass (Lagrange), free of
-    // cancellation for needles.
-    vec3 across = cross(mu, mv);
-    float unfiltered = dot(across, across);
-    float determinant = unfiltered + low_pass * (covariance.x + covariance.z - low_pass);
-    if (!(determinant > 0.0 && covariance.x <= VARIANCE_MAX && covariance.z <= VARIANCE_MAX)) {
+    Footprint footprint = footprint_of(p, frame.focal, slope, rows, axes, frame.low_pass);
+    vec3 covariance = footprint.covariance;
+    float determinant = footprint.determinant;
+    if (!is_drawable(footprint)) {
         count_culled(DEGENERATE);
         return SORT_CULLED;
     }
     opacity = detail_opacity(opacity);
-    float kept = sqrt(unfiltered / determinant);
+    float kept = sqrt(footprint.unfiltered / determinant);
     kept = (1.0 - frame.compensation) + frame.compensation * kept;
     opacity = uint(round(float(opacity) * kept));
     if (float(opacity) <= frame.cutoff) {

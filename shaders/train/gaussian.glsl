@@ -38,13 +38,8 @@ void skin(uint view, Placed placed, out vec4 row_x, out vec4 row_y, out vec4 row
     }
 }
 
-// The matrix of a unit quaternion, w x y z.
-mat3 matrix_of(vec4 q) {
-    float w = q.x, x = q.y, y = q.z, z = q.w;
-    return mat3(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y),
-                2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x),
-                2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y));
-}
+#include "common/rotation.glsl"
+#include "common/footprint.glsl"
 
 mat3 view_matrix() {
     return transpose(mat3(block.view_rows[0].xyz, block.view_rows[1].xyz, block.view_rows[2].xyz));
@@ -52,4 +47,11 @@ mat3 view_matrix() {
 
 vec3 view_offset() {
     return vec3(block.view_rows[0].w, block.view_rows[1].w, block.view_rows[2].w);
+}
+
+// A Gaussian's footprint in this view. `to_camera`: from the space of `axes` to the camera's; `p`: the
+// mean there.
+Footprint view_footprint(vec3 p, mat3 to_camera, mat3 axes) {
+    vec2 slope = clamp(p.xy / p.z, block.slopes.xy, block.slopes.zw);
+    return footprint_of(p, block.lens.xy, slope, transpose(to_camera), axes, block.low_pass.x);
 }

@@ -102,11 +102,10 @@ void main() {
     vec3 mean = vec3(dot(row_x, x), dot(row_y, x), dot(row_z, x));
     mat3 g3 = transpose(mat3(row_x.xyz, row_y.xyz, row_z.xyz));
     vec3 s = exp(min(log_scale, vec3(LOG_SCALE_MAX)));
-    mat3 local = matrix_of(normalize(rotation));
+    mat3 local = rotation_matrix(normalize(rotation));
     local[0] *= s.x;
     local[1] *= s.y;
     local[2] *= s.z;
-    mat3 m = view_matrix() * (g3 * local);
     vec3 t = view_matrix() * mean + view_offset();
     float opacity = 1.0 / (1.0 + exp(-scale_opacity.w));
     // Compared so that NaN fails.
@@ -114,32 +113,23 @@ void main() {
         write_culled(g);
         return;
     }
-    vec2 f = block.lens.xy / t.z;
-    vec2 slope = clamp(t.xy / t.z, block.slopes.xy, block.slopes.zw);
-    vec3 across = transpose(m) * vec3(f.x, 0.0, -f.x * slope.x);
-    vec3 down = transpose(m) * vec3(0.0, f.y, -f.y * slope.y);
-    float low_pass = block.low_pass.x;
-    float a = dot(across, across) + low_pass;
-    float b = dot(across, down);
-    float c = dot(down, down) + low_pass;
-    vec3 normal = cross(across, down);
-    float unfiltered = dot(normal, normal);
-    float det = unfiltered + low_pass * (a + c - low_pass);
+    Footprint footprint = view_footprint(t, view_matrix() * g3, local);
+    vec3 covariance = footprint.covariance;
     vec2 center = block.lens.xy * t.xy / t.z + block.lens.zw;
     vec2 size = vec2(block.image_size.xy);
-    if (!(det > 0.0 && max(a, c) <= VARIANCE_MAX) || !all(lessThanEqual(abs(color), vec3(FEATURE_MAX)))) {
+    if (!is_drawable(footprint) || !all(lessThanEqual(abs(color), vec3(FEATURE_MAX)))) {
         write_culled(g);
         return;
     }
     if (block.low_pass.y > 0.0) {
-        opacity *= sqrt(unfiltered / det);
+        opacity *= sqrt(footprint.unfiltered / footprint.determinant);
     }
     float reach = 2.0 * log(255.0 * opacity);
     if (!(reach >= 0.0)) {
         write_culled(g);
         return;
     }
-    vec2 radius = sqrt(reach * vec2(a, c));
+    vec2 radius = sqrt(reach * covariance.xz);
     if (!(all(greaterThanEqual(center + radius, vec2(0.0))) &&
           all(greaterThanEqual(size + radius - center, vec2(0.0))))) {
         write_culled(g);
@@ -147,6 +137,6 @@ void main() {
     }
     keys[g] = floatBitsToUint(t.z);
     splats[3u * g] = vec4(center, radius);
-    splats[3u * g + 1u] = vec4(vec3(c, -b, a) / det, opacity);
+    splats[3u * g + 1u] = vec4(vec3(covariance.z, -covariance.y, covariance.x) / footprint.determinant, opacity);
     splats[3u * g + 2u] = vec4(clamp(color, 0.0, 1.0), t.z);
 }

@@ -30,6 +30,10 @@ const GONE: &[Gone] = &[
         instead: LAB,
     },
     Gone {
+        written: "--shader-stats",
+        instead: LAB,
+    },
+    Gone {
         written: "phone-model",
         instead: "its last tables are in docs/experiments/068-what-phones-would-take.md",
     },

@@ -35,6 +35,8 @@ enum Command {
     BenchSort(bench_sort::Args),
     /// Measure the GPU itself: bandwidth of copies, and fill rates
     BenchDevice(bench_device::Args),
+    /// Print what the driver's compiler makes of every shader: instructions, registers and spills
+    ShaderStats(commands::shader_stats::Args),
     /// Join what tools/gpu/run.sh measured on a GPU to one report
     Verdict(commands::verdict::Args),
 }
@@ -47,6 +49,7 @@ pub fn main() -> ExitCode {
             Command::Stress(args) => commands::stress::run(args),
             Command::BenchSort(args) => bench_sort::run(args),
             Command::BenchDevice(args) => bench_device::run(args),
+            Command::ShaderStats(args) => commands::shader_stats::run(args),
             Command::Verdict(args) => commands::verdict::run(args),
         }
     })

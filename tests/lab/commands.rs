@@ -16,7 +16,13 @@ fn lab(arguments: &str) -> (bool, String) {
 fn its_help_names_every_command() {
     let (works, said) = lab("--help");
     assert!(works, "{said}");
-    for command in ["stress", "bench-sort", "bench-device", "verdict"] {
+    for command in [
+        "stress",
+        "bench-sort",
+        "bench-device",
+        "shader-stats",
+        "verdict",
+    ] {
         assert!(said.contains(command), "{said}");
         let (works, said) = lab(&format!("{command} --help"));
         assert!(works && said.contains("--json"), "{said}");
@@ -26,7 +32,13 @@ fn its_help_names_every_command() {
 fn outputs_are_checked_before_the_work() {
     let folder = tempfile::tempdir().unwrap();
     let nowhere = folder.path().join("none").join("o.json");
-    for command in ["stress", "bench-sort", "bench-device", "verdict ."] {
+    for command in [
+        "stress",
+        "bench-sort",
+        "bench-device",
+        "shader-stats",
+        "verdict .",
+    ] {
         for out in [nowhere.to_str().unwrap(), "o.txt"] {
             let (works, said) = lab(&format!("{command} --json {out}"));
             assert!(!works && said.starts_with("error: "), "{said}");

@@ -66,7 +66,7 @@ const COMMANDS: [(&str, &[&str]); 15] = [
 
 /// Commands that work for long, most of them on a device, each with files that it makes. None gets so
 /// far here: its folder has nothing that it could read.
-const LONG_COMMANDS: [(&str, &[&str]); 12] = [
+const LONG_COMMANDS: [(&str, &[&str]); 11] = [
     (
         "bench --json o.json --csv o.csv --strip o.png",
         &["o.json", "o.csv", "o.png"],
@@ -75,7 +75,6 @@ const LONG_COMMANDS: [(&str, &[&str]); 12] = [
     ("soak --out o", &["o.csv", "o.json"]),
     ("soak --out x --trace o.json", &["o.json"]),
     ("devices --json o.json", &["o.json"]),
-    ("devices --shader-stats --csv o.csv", &["o.csv"]),
     ("bake body --out o.avatar", &["o.avatar"]),
     ("bake motion 01_01.bvh --out o.motion", &["o.motion"]),
     ("prune small.avatar --rows 9 --out o.avatar", &["o.avatar"]),

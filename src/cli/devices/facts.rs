@@ -67,7 +67,7 @@ pub fn optional(probe: &Probe) -> Vec<Optional> {
         part(
             "shader statistics",
             probe.shader_statistics,
-            "`effigy devices --shader-stats` prints them",
+            "`effigy-lab shader-stats` prints them",
             "no way to see what became of shaders",
         ),
         part(

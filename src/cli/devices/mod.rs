@@ -2,14 +2,11 @@
 
 mod facts;
 mod json;
-mod shaders;
 
 use crate::{
     interrupt::Interrupts,
-    options::DeviceArgs,
-    output::{CSV, JSON, Output},
+    output::{JSON, Output},
 };
-use anyhow::ensure;
 use effigy::vulkan::{Error, Probe, instance::Instance, probe::version};
 use facts::{Measured, measured, optional};
 
@@ -18,25 +15,9 @@ pub struct Args {
     /// Print JSON, or write it to a file with what is known so far as it is found
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", value_parser = JSON.parser())]
     json: Option<Output>,
-    /// Print what the driver's compiler makes of every shader, in place of the list: instructions,
-    /// registers and spills, as the driver counts them
-    #[arg(long)]
-    shader_stats: bool,
-    #[command(flatten)]
-    device: DeviceArgs,
-    /// Also write the result as comma-separated values
-    #[arg(long, value_name = "FILE", requires = "shader_stats", value_parser = CSV.parser())]
-    csv: Option<Output>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    if args.shader_stats {
-        return shaders::run(&args.device, args.json.as_ref(), args.csv.as_ref());
-    }
-    ensure!(
-        args.device.name.is_none(),
-        "--device is for --shader-stats: the list has all devices"
-    );
     let instance = Instance::new(false, &[])?;
     let probes = Probe::all(&instance)?;
     // Ctrl-C may come while something is measured.

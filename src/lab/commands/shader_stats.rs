@@ -1,21 +1,36 @@
-//! `effigy devices --shader-stats`: what a driver's compiler made of each shader, as a table.
+//! `effigy-lab shader-stats`: what a driver's compiler made of each shader, as a table: instructions,
+//! registers and spills, as the driver counts them.
 
-use crate::{options::DeviceArgs, output::Output};
 use effigy::vulkan::{
     Probe,
     statistics::{self, Executable, Value},
 };
+use effigy_cli::{
+    options::DeviceArgs,
+    output::{CSV, JSON, Output},
+};
 use serde_json::json;
 use std::fmt::Write;
 
-/// Prints the table, or writes JSON; writes comma-separated values too where they are asked for.
-pub fn run(device: &DeviceArgs, json: Option<&Output>, csv: Option<&Output>) -> anyhow::Result<()> {
-    let (gpu, executables) = statistics::all(&device.gpu(), &effigy_demo::avatar()?)?;
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    device: DeviceArgs,
+    /// Print JSON, or write it to a file
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-", value_parser = JSON.parser())]
+    json: Option<Output>,
+    /// Also write the result as comma-separated values
+    #[arg(long, value_name = "FILE", value_parser = CSV.parser())]
+    csv: Option<Output>,
+}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    let (gpu, executables) = statistics::all(&args.device.gpu(), &effigy_demo::avatar()?)?;
     let probe = &gpu.probe;
-    if let Some(out) = csv {
-        out.write(self::csv(probe, &executables)?)?;
+    if let Some(out) = &args.csv {
+        out.write(csv(probe, &executables)?)?;
     }
-    if let Some(out) = json {
+    if let Some(out) = &args.json {
         let all = json!({ "device": probe.name, "driver": probe.driver, "shaders": executables });
         out.write_json(&all)?;
     } else {
