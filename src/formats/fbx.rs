@@ -10,11 +10,11 @@ mod expanded;
 
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, Rest, UpAxis, check_size},
+    capture::{Capture, Captured, Rest, UpAxis, Usual, check_size, checked_rate},
     scene_tree::{Joint, Place, SceneTree},
 };
 use effigy_core::io::file::{FormatError, excerpt};
-use glam::{DQuat, DVec3, DVec4};
+use glam::{DVec3, DVec4};
 use ufbx::{
     AllocatorOpts, Anim, AnimStack, BakeOpts, CoordinateAxis, ElementType, ErrorType, FileFormat,
     InheritModeHandling, LoadOpts, Node, SceneRoot, Transform,
@@ -33,8 +33,6 @@ const MAX_RATE: f64 = 240.0;
 const USUAL_RATE: f64 = 30.0;
 /// Seconds of an animation at most, before the size of its file is asked.
 const MAX_SECONDS: f64 = 1e6;
-/// Animations that an error or assumption names.
-const NAMED: usize = 20;
 /// How far numbers may be from one another and still be called the same.
 const SAME: f64 = 1e-9;
 /// How far the bind pose may be from the nodes' before it counts as another: radians.
@@ -231,79 +229,41 @@ fn rate(scene: &SceneRoot, said: Option<f64>) -> Result<f64, FormatError> {
     } else {
         USUAL_RATE
     };
-    let rate = said.unwrap_or(own);
-    if rate.is_finite() && rate > 0.0 {
-        return Ok(rate);
-    }
-    Err(FormatError::container(
-        format!("{rate} frames a second"),
-        "a number above 0",
-    ))
+    checked_rate(said.unwrap_or(own))
 }
 
-/// The animation that is asked for: by name, by number, or the first.
+/// The animation that is asked for: by name, by number, or the first that moves.
 fn chosen<'a>(
     scene: &'a SceneRoot,
     asked: Option<&str>,
     assumptions: &mut Vec<Assumption>,
 ) -> Result<&'a AnimStack, FormatError> {
     let stacks = &scene.anim_stacks;
-    let name = |at: usize| format!("`{}`", excerpt(&stacks[at].element.name));
-    let mut names: Vec<String> = (0..stacks.len().min(NAMED)).map(name).collect();
-    if stacks.len() > NAMED {
-        names.push(format!("{} more", stacks.len() - NAMED));
-    }
-    let names = names.join(", ");
+    let names = stacks.iter().map(|stack| Some(&*stack.element.name));
+    let names: Vec<Option<&str>> = names.collect();
     // Exporters leave an empty one before that which moves.
     let moves = |stack: &AnimStack| {
         let mut layers = stack.layers.iter();
         layers.any(|layer| !layer.anim_props.is_empty())
     };
-    let found = match asked {
-        None => Some(stacks.iter().position(|stack| moves(stack)).unwrap_or(0)),
-        Some(asked) => {
-            let by_name = stacks
-                .iter()
-                .position(|stack| &*stack.element.name == asked);
-            by_name.or_else(|| asked.parse().ok())
-        }
+    let usual = Usual {
+        index: stacks.iter().position(|stack| moves(stack)).unwrap_or(0),
+        what: "the first that moves",
     };
-    let Some(found) = found.filter(|&found| found < stacks.len()) else {
-        let found = match asked {
-            Some(asked) if !stacks.is_empty() => format!("no animation `{}`", excerpt(asked)),
-            _ => "no animation".to_owned(),
-        };
-        let expected = if stacks.is_empty() {
-            "at least one".to_owned()
-        } else {
-            format!("one of {names}")
-        };
-        return Err(FormatError::metadata("animations", found, expected));
-    };
-    if asked.is_none() && stacks.len() > 1 {
-        assumptions.push(Assumption {
-            what: "animation",
-            taken: name(found),
-            because: format!("it is the first that moves of {names}"),
-        });
-    }
-    Ok(&stacks[found])
+    Ok(&stacks[usual.or(asked, &names, assumptions)?])
 }
 
-/// None: numbers that are not finite, or no rotation.
 fn place(transform: &Transform) -> Option<Place> {
     let Transform {
         translation: t,
         rotation: r,
         scale: s,
     } = transform;
-    let rotation = DVec4::new(r.x, r.y, r.z, r.w).try_normalize()?;
-    let place = Place {
-        translation: DVec3::new(t.x, t.y, t.z),
-        rotation: DQuat::from_vec4(rotation),
-        scale: (s.x * s.y * s.z).abs().cbrt(),
-    };
-    (place.translation.is_finite() && place.scale.is_finite()).then_some(place)
+    Place::new(
+        DVec3::new(t.x, t.y, t.z),
+        DVec4::new(r.x, r.y, r.z, r.w),
+        DVec3::new(s.x, s.y, s.z),
+    )
 }
 
 fn odd(node: &Node) -> FormatError {

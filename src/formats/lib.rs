@@ -16,7 +16,7 @@ pub mod content;
 mod fault;
 #[cfg(feature = "fbx")]
 pub mod fbx;
-mod glb;
+mod gltf;
 pub mod gltf_motion;
 mod guess;
 mod json;

@@ -1,7 +1,7 @@
 //! Nodes of a scene as joints: some are kept, the others become part of what is below them.
 
 use crate::capture::{CaptureJoint, LocalPose};
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec3, DVec4};
 
 /// Something's place in the axes of what is above it. Scale is the same along each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +17,17 @@ impl Place {
         rotation: DQuat::IDENTITY,
         scale: 1.0,
     };
+
+    /// None: numbers that are not finite, or no rotation. `rotation`: x y z w, of any length.
+    pub fn new(translation: DVec3, rotation: DVec4, scale: DVec3) -> Option<Self> {
+        let rotation = DQuat::from_vec4(rotation.try_normalize()?);
+        let scale = scale.element_product().abs().cbrt();
+        (translation.is_finite() && scale.is_finite()).then_some(Self {
+            translation,
+            rotation,
+            scale,
+        })
+    }
 
     /// The place of something in it, in the axes that it is in itself.
     pub fn then(&self, inner: &Self) -> Self {

@@ -156,8 +156,8 @@ const LAYERS: &[Layers] = &[
         modules: &[
             "capture",
             "fault",
-            "glb",
             "json",
+            "gltf",
             "zip_file",
             "guess",
             "bvh",

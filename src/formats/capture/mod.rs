@@ -1,9 +1,12 @@
 //! Motion as files of other programs have it: any tree of joints, in the file's own units and axes.
 //! Each reader gives a [`Capture`].
 
+mod usual;
+
 use crate::assumption::Assumption;
 use effigy_core::io::file::FormatError;
 use glam::{DAffine3, DQuat, DVec3, Quat, Vec3};
+pub(crate) use usual::Usual;
 
 /// Most joints that a capture may have: several people with hands, and what they carry.
 pub const MAX_JOINTS: usize = 4096;
@@ -180,6 +183,17 @@ pub struct Captured {
 pub(crate) fn most_poses(size: usize) -> usize {
     let bytes = GROWTH.saturating_mul(size).saturating_add(SMALL);
     (bytes / size_of::<LocalPose>()).min(MAX_ROTATIONS)
+}
+
+/// A rate that makes sense, frames a second.
+pub(crate) fn checked_rate(rate: f64) -> Result<f64, FormatError> {
+    if rate.is_finite() && rate > 0.0 {
+        return Ok(rate);
+    }
+    Err(FormatError::container(
+        format!("{rate} frames a second"),
+        "a number above 0",
+    ))
 }
 
 /// Refuses a capture of more than [`MAX_JOINTS`], [`MAX_FRAMES`] or [`MAX_ROTATIONS`], or of none,

@@ -1,7 +1,7 @@
 //! Keys of a channel, and values between them.
 
-use super::{
-    accessor::Source,
+use crate::gltf::{
+    FLOAT, Source,
     document::{Interpolation, Path, Sampler, Shape},
 };
 use effigy_core::io::file::FormatError;
@@ -25,11 +25,45 @@ struct Moment {
     share: f64,
 }
 
+/// The rows of an accessor, all finite. `shape`, `count`: what it has to have.
+pub fn rows<const N: usize>(
+    source: &Source,
+    at: u32,
+    shape: Shape,
+    count: u64,
+) -> Result<Vec<[f32; N]>, FormatError> {
+    let accessor = source.accessor(at)?;
+    let fault = |found: String, expected: String| {
+        FormatError::metadata(&format!("accessors[{at}]"), found, expected)
+    };
+    if accessor.shape != shape || accessor.count != count || count == 0 {
+        return Err(fault(
+            format!("{} of {:?}", accessor.count, accessor.shape),
+            format!("{} of {shape:?}", count.max(1)),
+        ));
+    }
+    if accessor.component_type != FLOAT && !accessor.normalized {
+        return Err(fault(
+            format!("components of the type {}", accessor.component_type),
+            "floats, or normalised integers of 8 or 16 bits".into(),
+        ));
+    }
+    let rows = source.rows(at)?;
+    match rows
+        .as_flattened()
+        .iter()
+        .find(|number| !number.is_finite())
+    {
+        Some(number) => Err(fault(number.to_string(), "finite numbers".into())),
+        None => Ok(rows),
+    }
+}
+
 /// The times of a sampler's keys, seconds. They may begin before 0, and several keys may be at one
 /// time: exporters write the frames that an animation has.
 pub fn times(source: &Source, sampler: &Sampler) -> Result<Vec<f32>, FormatError> {
-    let count = source.count(sampler.input)?;
-    let times = source.numbers(sampler.input, Shape::Scalar, count)?;
+    let count = source.accessor(sampler.input)?.count;
+    let times = rows::<1>(source, sampler.input, Shape::Scalar, count)?.into_flattened();
     match times.windows(2).find(|pair| pair[0] > pair[1]) {
         Some(pair) => Err(FormatError::metadata(
             &format!("accessors[{}]", sampler.input),
@@ -44,15 +78,21 @@ impl Curve {
     /// Reads a channel's keys.
     pub fn read(source: &Source, sampler: &Sampler, path: Path) -> Result<Self, FormatError> {
         let times = times(source, sampler)?;
-        let (shape, columns) = match path {
-            Path::Rotation => (Shape::Vec4, 4),
-            _ => (Shape::Vec3, 3),
-        };
         let each = match sampler.interpolation {
             Interpolation::CubicSpline => 3,
             _ => 1,
         };
-        let values = source.numbers(sampler.output, shape, each * times.len() as u64)?;
+        let (output, count) = (sampler.output, each * times.len() as u64);
+        let (columns, values) = match path {
+            Path::Rotation => (
+                4,
+                rows::<4>(source, output, Shape::Vec4, count)?.into_flattened(),
+            ),
+            _ => (
+                3,
+                rows::<3>(source, output, Shape::Vec3, count)?.into_flattened(),
+            ),
+        };
         Ok(Self {
             times,
             values,

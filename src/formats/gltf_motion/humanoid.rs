@@ -1,37 +1,25 @@
 //! Names that VRM gives the bones of a human.
 
-use super::document::Document;
+use crate::gltf::document::Extensions;
+use std::collections::BTreeMap;
 
-/// A node and the bone that it is.
-pub struct Bone {
-    pub name: String,
-    pub node: usize,
-}
-
-/// The bones of a VRM file, by the names of VRM 1.0; none where it is no VRM.
-pub fn bones(document: &Document) -> Vec<Bone> {
-    let extensions = &document.extensions;
-    let newer = [&extensions.animation, &extensions.vrm_1]
-        .into_iter()
-        .flatten();
-    let mut bones = vec![];
-    for humanoid in newer.filter_map(|vrm| vrm.humanoid.as_ref()) {
-        bones.extend(humanoid.bones.iter().map(|(name, bone)| Bone {
-            name: name.clone(),
-            node: bone.node as usize,
-        }));
-    }
-    let older = extensions
-        .vrm_0
-        .as_ref()
-        .and_then(|vrm| vrm.humanoid.as_ref());
+/// The bones of a VRM file of so many nodes, by their nodes, with the names of VRM 1.0; none where
+/// it is no VRM.
+pub fn bones(extensions: &Extensions, nodes: usize) -> BTreeMap<usize, String> {
+    let newer = [&extensions.animation, &extensions.vrm_1];
+    let newer = newer.into_iter().flatten();
+    let newer = newer.filter_map(|vrm| vrm.humanoid.as_ref());
+    let mut bones: BTreeMap<usize, String> = newer
+        .flat_map(|humanoid| &humanoid.human_bones)
+        .map(|(name, bone)| (bone.node as usize, name.clone()))
+        .collect();
+    let older = extensions.vrm_0.as_ref();
+    let older = older.and_then(|vrm| vrm.humanoid.as_ref());
     if let (Some(humanoid), true) = (older, bones.is_empty()) {
-        bones.extend(humanoid.bones.iter().map(|bone| Bone {
-            name: renamed(&bone.bone),
-            node: bone.node as usize,
-        }));
+        let named = humanoid.human_bones.0.iter();
+        bones.extend(named.map(|bone| (bone.node as usize, renamed(&bone.bone))));
     }
-    bones.retain(|bone| bone.node < document.nodes.len());
+    bones.retain(|&node, _| node < nodes);
     bones
 }
 

@@ -1,12 +1,15 @@
 //! The tree of a file's nodes, and where its joints are at rest.
 
-use super::{
-    accessor::Source,
-    document::{Document, Shape},
+use super::curve::rows;
+use crate::{
+    gltf::{
+        Document, Source,
+        document::{Shape, Skin},
+    },
+    scene_tree::{Place, SceneTree},
 };
-use crate::scene_tree::{Place, SceneTree};
 use effigy_core::io::file::FormatError;
-use glam::{DMat4, DQuat, DVec3, DVec4};
+use glam::{DMat4, DVec3, DVec4};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How far the bind pose may be from the nodes' before it counts as another: radians, and a share
@@ -18,13 +21,7 @@ const SAME_PLACE: f64 = 0.02;
 fn from_matrix(matrix: DMat4) -> Option<Place> {
     let whole = matrix.is_finite() && matrix.determinant().abs() > 1e-30;
     let (scale, rotation, translation) = whole.then_some(matrix)?.to_scale_rotation_translation();
-    let scale = scale.element_product().abs().cbrt();
-    let place = Place {
-        translation,
-        rotation,
-        scale,
-    };
-    (rotation.is_finite() && scale.is_finite()).then_some(place)
+    Place::new(translation, rotation.into(), scale)
 }
 
 fn differ(a: &Place, b: &Place) -> bool {
@@ -73,17 +70,12 @@ impl Tree {
                     let even = scale.max_element() - scale.min_element()
                         <= 1e-3 * scale.abs().max_element();
                     odd_scales += usize::from(!even || scale.min_element() < 0.0);
-                    rotation.try_normalize().map(|rotation| Place {
-                        translation: DVec3::from(node.translation.unwrap_or_default()),
-                        rotation: DQuat::from_vec4(rotation),
-                        scale: scale.element_product().abs().cbrt(),
-                    })
+                    let translation = DVec3::from(node.translation.unwrap_or_default());
+                    Place::new(translation, rotation, scale)
                 }
             };
-            let whole = place.filter(|place| {
-                place.translation.is_finite() && place.scale.is_finite() && place.scale < 1e9
-            });
-            tree.place.push(whole.ok_or_else(|| {
+            let place = place.filter(|place| place.scale < 1e9);
+            tree.place.push(place.ok_or_else(|| {
                 fault("a transform that is none", "finite numbers, and a rotation")
             })?);
         }
@@ -109,27 +101,22 @@ impl Tree {
     }
 }
 
-/// Where nodes are when their skin is as it was made.
-pub struct Bind {
-    pub place: Vec<Place>,
-    /// Joints whose nodes say otherwise.
-    pub differ: BTreeSet<usize>,
-}
-
-/// The pose of the skins' inverse bind matrices: of each joint whose parent is a joint of the same
-/// skin. Other nodes are where they say.
-pub fn bind(source: &Source, tree: &SceneTree) -> Result<Bind, FormatError> {
-    let mut bind = Bind {
-        place: tree.place.clone(),
-        differ: BTreeSet::new(),
-    };
-    for skin in &source.document.skins {
-        let Some(accessor) = skin.inverse_bind else {
+/// Moves nodes to where they are when their skin is as it was made: each joint whose parent is a
+/// joint of the same skin, by the skin's inverse bind matrices. Gives how many nodes say otherwise.
+pub fn bind(
+    source: &Source,
+    skins: &[Skin],
+    tree: &SceneTree,
+    rest: &mut [Place],
+) -> Result<usize, FormatError> {
+    let mut elsewhere = BTreeSet::new();
+    for skin in skins {
+        let Some(accessor) = skin.inverse_bind_matrices else {
             continue;
         };
-        let numbers = source.numbers(accessor, Shape::Mat4, skin.joints.len() as u64)?;
+        let matrices = rows::<16>(source, accessor, Shape::Mat4, skin.joints.len() as u64)?;
         let mut inverse = BTreeMap::new();
-        for (&joint, matrix) in skin.joints.iter().zip(numbers.as_chunks::<16>().0) {
+        for (&joint, matrix) in skin.joints.iter().zip(matrices) {
             let matrix = DMat4::from_cols_array(&matrix.map(f64::from));
             inverse.insert(joint as usize, matrix);
         }
@@ -148,10 +135,10 @@ pub fn bind(source: &Source, tree: &SceneTree) -> Result<Bind, FormatError> {
                 ));
             };
             if differ(&place, &tree.place[joint]) {
-                bind.differ.insert(joint);
+                elsewhere.insert(joint);
             }
-            bind.place[joint] = place;
+            rest[joint] = place;
         }
     }
-    Ok(bind)
+    Ok(elsewhere.len())
 }

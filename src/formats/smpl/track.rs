@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     assumption::Assumption,
-    capture::{Capture, Captured, LocalPose, UpAxis, check_size},
+    capture::{Capture, Captured, LocalPose, UpAxis, check_size, checked_rate},
     smpl_joints::SMPL_X,
 };
 use effigy_core::io::file::FormatError;
@@ -219,14 +219,7 @@ impl Track {
                 because: "the file does not say".into(),
             });
         }
-        let rate = rate.unwrap_or(RATE);
-        if rate.is_finite() && rate > 0.0 {
-            return Ok(rate);
-        }
-        Err(FormatError::container(
-            format!("{rate} frames a second"),
-            "a number above 0",
-        ))
+        checked_rate(rate.unwrap_or(RATE))
     }
 
     fn pose(&self, slot: Slot, capture: &mut Capture) -> Result<(), FormatError> {

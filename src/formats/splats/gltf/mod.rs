@@ -2,13 +2,7 @@
 //! rotations x y z w, standard deviations, opacities and coefficients of spherical harmonics; or an
 //! SPZ file in place of the attributes (`KHR_gaussian_splatting_compression_spz_2` and its drafts).
 //! y is up. The splats of every node of the scene come together.
-//!
-//! The document is read here and not by the crate `gltf`, which refuses attributes with names of
-//! extensions.
 
-mod accessor;
-mod buffers;
-mod document;
 mod primitive;
 mod read;
 mod scene;

@@ -1,12 +1,12 @@
 //! The splats of a primitive, in its node's space.
 
-use super::{
-    EXTENSION, accessor,
-    buffers::Buffers,
-    document::{Document, Packed, Primitive, Splatting, entry},
-};
+use super::EXTENSION;
 use crate::{
     assumption::Assumption,
+    gltf::{
+        Document, Source,
+        document::{Accessor, Packed, Primitive, Shape, Splatting},
+    },
     splats::{logit, plausible, spz},
 };
 use effigy_core::{
@@ -32,35 +32,27 @@ fn packed(primitive: &Primitive) -> Option<&Packed> {
 }
 
 /// The buffer views that a primitive's splats use.
-pub fn views(document: &Document, primitive: &Primitive) -> Vec<usize> {
-    match packed(primitive) {
-        Some(packed) => vec![packed.buffer_view],
-        None => {
-            let accessors = primitive.attributes.values();
-            let accessors = accessors.filter_map(|&index| document.accessors.get(index));
-            accessors
-                .filter_map(|accessor| accessor.buffer_view)
-                .collect()
-        }
+pub fn views(document: &Document, primitive: &Primitive) -> Vec<u32> {
+    if let Some(packed) = packed(primitive) {
+        return vec![packed.buffer_view];
     }
+    let indices = primitive.attributes.values();
+    let accessors = indices.filter_map(|&index| document.accessors.get(index as usize));
+    accessors.flat_map(Accessor::views).collect()
 }
 
 /// Reads a primitive.
 ///
 /// # Errors
 /// When an attribute is missing or is not what the extension says.
-pub fn read(
-    document: &Document,
-    buffers: &Buffers,
-    primitive: &Primitive,
-) -> Result<Found, FormatError> {
+pub fn read(source: &Source, primitive: &Primitive) -> Result<Found, FormatError> {
     let mut assumptions = vec![];
     if let Some(splatting) = &primitive.extensions.splatting {
         assumptions = check(splatting)?;
     }
     let mut found = match packed(primitive) {
-        Some(packed) => spz::read(buffers.view(packed.buffer_view)?.bytes)?,
-        None => plain(document, buffers, primitive)?,
+        Some(packed) => spz::read(source.view(packed.buffer_view)?)?,
+        None => plain(source, primitive)?,
     };
     found.assumptions.splice(0..0, assumptions);
     Ok(found)
@@ -120,8 +112,7 @@ impl Names {
 
 /// The attributes of a primitive.
 struct Attributes<'a> {
-    document: &'a Document,
-    buffers: &'a Buffers<'a>,
+    source: &'a Source<'a>,
     primitive: &'a Primitive,
     count: u64,
 }
@@ -129,14 +120,26 @@ struct Attributes<'a> {
 impl Attributes<'_> {
     fn rows<const N: usize>(&self, name: &str) -> Result<Vec<[f32; N]>, FormatError> {
         let index = find(self.primitive, name)?;
-        accessor::rows(self.document, self.buffers, index, self.count, name)
+        let accessor = self.source.accessor(index)?;
+        let shape = [Shape::Scalar, Shape::Vec2, Shape::Vec3, Shape::Vec4][N - 1];
+        if (accessor.count, accessor.shape) != (self.count, shape) {
+            let said = |shape: Shape| format!("{shape:?}").to_uppercase();
+            return Err(FormatError::container(
+                format!(
+                    "{} {} of the attribute {name}",
+                    accessor.count,
+                    said(accessor.shape)
+                ),
+                format!("{} {}", self.count, said(shape)),
+            ));
+        }
+        self.source.rows(index)
     }
 
     /// RGB or RGBA from 0 to 1, as RGBA.
     fn colors(&self) -> Result<Vec<[f32; 4]>, FormatError> {
         let index = find(self.primitive, COLOR)?;
-        let accessor = entry(&self.document.accessors, index, "accessor")?;
-        if accessor.shape == "VEC3" {
+        if self.source.accessor(index)?.shape == Shape::Vec3 {
             let opaque = |[r, g, b]: [f32; 3]| [r, g, b, 1.0];
             return Ok(self.rows(COLOR)?.into_iter().map(opaque).collect());
         }
@@ -147,7 +150,7 @@ impl Attributes<'_> {
 /// The attribute of colours that points have without the extension.
 const COLOR: &str = "COLOR_0";
 
-fn find(primitive: &Primitive, name: &str) -> Result<usize, FormatError> {
+fn find(primitive: &Primitive, name: &str) -> Result<u32, FormatError> {
     let index = primitive.attributes.get(name).copied();
     index.ok_or_else(|| {
         let names: Vec<String> = primitive
@@ -162,18 +165,13 @@ fn find(primitive: &Primitive, name: &str) -> Result<usize, FormatError> {
     })
 }
 
-fn plain(
-    document: &Document,
-    buffers: &Buffers,
-    primitive: &Primitive,
-) -> Result<Found, FormatError> {
+fn plain(source: &Source, primitive: &Primitive) -> Result<Found, FormatError> {
     let names = Names::of(primitive);
     let position = find(primitive, "POSITION")?;
-    let count = entry(&document.accessors, position, "accessor")?.count;
-    plausible::check(count, buffers.total())?;
+    let count = source.accessor(position)?.count;
+    plausible::check(count, source.size() as u64)?;
     let all = Attributes {
-        document,
-        buffers,
+        source,
         primitive,
         count,
     };

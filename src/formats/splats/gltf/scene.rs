@@ -1,6 +1,10 @@
 //! Where the scene's nodes are.
 
-use super::document::{Document, Node, entry};
+use crate::gltf::{
+    Document,
+    document::{Node, Scenes},
+    entry,
+};
 use effigy_core::{
     glam::{DAffine3, DMat4, DQuat, DVec3},
     io::file::FormatError,
@@ -8,7 +12,7 @@ use effigy_core::{
 
 /// A mesh in the scene's space.
 pub struct Placed {
-    pub mesh: usize,
+    pub mesh: u32,
     pub place: DAffine3,
 }
 
@@ -16,37 +20,29 @@ pub struct Placed {
 ///
 /// # Errors
 /// When an index leads nowhere, or a node has two parents.
-pub fn meshes(document: &Document) -> Result<Vec<Placed>, FormatError> {
-    let roots: Vec<usize> = match document.scenes.get(document.scene.unwrap_or_default()) {
+pub fn meshes(document: &Document, scenes: &Scenes) -> Result<Vec<Placed>, FormatError> {
+    let count = document.nodes.len();
+    let roots: Vec<u32> = match scenes.scenes.get(scenes.scene.unwrap_or_default()) {
         Some(scene) => scene.nodes.clone(),
         None => {
-            let mut is_root = vec![true; document.nodes.len()];
+            let mut is_root = vec![true; count];
             for &child in document.nodes.iter().flat_map(|node| &node.children) {
-                if let Some(root) = is_root.get_mut(child) {
+                if let Some(root) = is_root.get_mut(child as usize) {
                     *root = false;
                 }
             }
-            let indices = (0..document.nodes.len()).filter(|&index| is_root[index]);
-            indices.collect()
+            let indices = (0..).zip(is_root).filter(|(_, is_root)| *is_root);
+            indices.map(|(index, _)| index).collect()
         }
     };
-    let mut seen = vec![false; document.nodes.len()];
-    let mut waiting: Vec<Waiting> = roots
-        .into_iter()
-        .map(|node| Waiting {
-            node,
-            parent: DAffine3::IDENTITY,
-        })
-        .collect();
-    waiting.reverse();
+    let mut seen = vec![false; count];
+    // Nodes that are still to be visited, and where their parents are.
+    let mut waiting: Vec<(u32, DAffine3)> = vec![];
+    waiting.extend(roots.iter().rev().map(|&node| (node, DAffine3::IDENTITY)));
     let mut placed = vec![];
-    while let Some(Waiting {
-        node: index,
-        parent,
-    }) = waiting.pop()
-    {
+    while let Some((index, parent)) = waiting.pop() {
         let node = entry(&document.nodes, index, "node")?;
-        if std::mem::replace(&mut seen[index], true) {
+        if std::mem::replace(&mut seen[index as usize], true) {
             return Err(FormatError::container(
                 format!("node {index} twice in the scene"),
                 "a tree of nodes",
@@ -56,25 +52,15 @@ pub fn meshes(document: &Document) -> Result<Vec<Placed>, FormatError> {
         if let Some(mesh) = node.mesh {
             placed.push(Placed { mesh, place });
         }
-        let children = node.children.iter().rev();
-        waiting.extend(children.map(|&node| Waiting {
-            node,
-            parent: place,
-        }));
+        waiting.extend(node.children.iter().rev().map(|&child| (child, place)));
     }
     Ok(placed)
 }
 
-/// A node that is still to be visited, and where its parent is.
-struct Waiting {
-    node: usize,
-    parent: DAffine3,
-}
-
 /// A node's own transform.
 fn of(node: &Node) -> Result<DAffine3, FormatError> {
-    let place = match node.matrix {
-        Some(matrix) => DAffine3::from_mat4(DMat4::from_cols_array(&matrix)),
+    let place = match &node.matrix {
+        Some(matrix) => DAffine3::from_mat4(DMat4::from_cols_array(matrix)),
         None => DAffine3::from_scale_rotation_translation(
             node.scale.map_or(DVec3::ONE, DVec3::from),
             node.rotation
@@ -84,11 +70,10 @@ fn of(node: &Node) -> Result<DAffine3, FormatError> {
         ),
     };
     if place.is_finite() {
-        Ok(place)
-    } else {
-        Err(FormatError::container(
-            "a node's transform that is not finite",
-            "finite numbers",
-        ))
+        return Ok(place);
     }
+    Err(FormatError::container(
+        "a node's transform that is not finite",
+        "finite numbers",
+    ))
 }
