@@ -14,6 +14,9 @@ const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 /// The type of components that are floats.
 pub const FLOAT: u32 = 5126;
+/// Most numbers of an accessor without a view, which no byte of the file accounts for.
+const ZEROS: u64 = 1 << 20;
+
 fn fault(at: u32, found: String, expected: &str) -> FormatError {
     FormatError::metadata(&format!("accessors[{at}]"), found, expected)
 }
@@ -78,8 +81,13 @@ impl Source<'_> {
                 .map(row)
                 .collect(),
             // Zeros but where it says otherwise.
-            (None, Some(_)) => vec![[0.0; N]; accessor.count as usize],
-            (None, None) => return Err(fault(at, "no bytes".into(), "a view")),
+            (None, Some(_)) if accessor.count <= ZEROS / N as u64 => {
+                vec![[0.0; N]; accessor.count as usize]
+            }
+            (None, _) => {
+                let found = format!("{} rows without bytes", accessor.count);
+                return Err(fault(at, found, "a view"));
+            }
         };
         if let Some(sparse) = &accessor.sparse {
             let size = match sparse.indices.component_type {
