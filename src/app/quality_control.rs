@@ -4,7 +4,8 @@
 use crate::{drift_check::DriftCheck, painter::WindowPainter, scene::ViewerScene};
 use effigy::vulkan::{PixelCounts, RendererOptions, Result};
 use effigy_measure::{
-    bench::{RenderSetting, report::DeviceReport},
+    report::DeviceReport,
+    setting::RenderSetting,
     soak::{
         Session, SoakReport, SoakSettings, SoakTask,
         faults::{self, SoakLimits},
@@ -310,11 +311,7 @@ impl QualityController {
         let task = SoakTask {
             avatar: scene.avatar(),
             player,
-            setting: RenderSetting {
-                options: drawn.options,
-                rows: 1.0,
-                hold: 1,
-            },
+            setting: RenderSetting::new(drawn.options),
             settings: *self.session.settings(),
             bounds: soak.bounds,
             check: false,

@@ -5,7 +5,7 @@ use effigy::vulkan;
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
 use effigy_learn::bake;
-use effigy_measure::bench::backend;
+use effigy_measure::bench::BackendError;
 use std::{error::Error, fmt};
 
 /// An error of the command line itself, with what to do about it.
@@ -49,11 +49,11 @@ fn for_cause(cause: &(dyn Error + 'static)) -> Option<&'static str> {
         return for_webgpu(error);
     }
     // A transparent error stands in the chain in place of the one that it holds.
-    if let Some(error) = cause.downcast_ref::<backend::BackendError>() {
+    if let Some(error) = cause.downcast_ref::<BackendError>() {
         return match error {
-            backend::BackendError::Vulkan(error) => for_vulkan(error),
+            BackendError::Vulkan(error) => for_vulkan(error),
             #[cfg(feature = "webgpu")]
-            backend::BackendError::WebGpu(error) => for_webgpu(error),
+            BackendError::WebGpu(error) => for_webgpu(error),
         };
     }
     if let Some(bake::SourceError::Io { .. }) = cause.downcast_ref() {
@@ -131,7 +131,7 @@ mod tests {
         let wrapped: Result<(), _> = Err(no_such_device());
         let error = wrapped.context("bench failed").unwrap_err();
         assert_eq!(for_error(&error), Some(OTHER_DEVICE));
-        let error = anyhow::Error::from(backend::BackendError::Vulkan(no_such_device()));
+        let error = anyhow::Error::from(BackendError::Vulkan(no_such_device()));
         assert_eq!(for_error(&error), Some(OTHER_DEVICE));
     }
 

@@ -6,13 +6,10 @@ use crate::{
 };
 use anyhow::{Context, ensure};
 use effigy_measure::{
-    bench::{
-        self, BenchReport,
-        compare::{BenchNumber, Change},
-        sizes::{self, NamedReport},
-    },
-    report::chart_title,
-    soak,
+    bench::{BenchReport, report::size_chart},
+    report::{ReadError, chart_title},
+    soak::SoakReport,
+    table::{Change, ComparedNumber, Comparison},
 };
 use std::path::{Path, PathBuf};
 
@@ -33,106 +30,83 @@ pub struct Args {
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     let texts = [files::read_text(&args.a)?, files::read_text(&args.b)?];
-    if texts.iter().all(|text| soak::compare::read(text).is_ok()) {
+    if texts.iter().all(|text| SoakReport::read(text).is_ok()) {
         return soaks(&args.a, &args.b);
     }
-    let parse = |path: &Path, text: &str| {
-        bench::compare::read(text).with_context(|| format!("{} can't be compared", path.display()))
-    };
-    let [a, b] = &texts;
-    let [a, b] = [parse(&args.a, a)?, parse(&args.b, b)?];
-    let comparison = bench::compare::compare(&a, &b);
+    let [a, b] = [&args.a, &args.b].map(|path| read(path, BenchReport::read));
+    let (a, b) = (a?, b?);
+    let comparison = a.compared_with(&b);
     ensure!(
         !comparison.lines.is_empty(),
         "the two have no case in common: {}",
         comparison.alone.join(", ")
     );
+    print(&comparison, args.above);
+    let Some(out) = &args.chart else {
+        return Ok(());
+    };
+    let [first, second] = [&args.a, &args.b].map(|path| {
+        let name = path.file_stem().unwrap_or_default();
+        name.to_string_lossy().into_owned()
+    });
+    let title = chart_title(&a.avatar, a.size, &a.device);
+    let chart = size_chart(&[(&first, &a), (&second, &b)], title)?;
+    out.write(chart.encoded(out.ending())?)
+}
+
+/// Prints two soaks against each other.
+pub fn soaks(a: &Path, b: &Path) -> anyhow::Result<()> {
+    let [a, b] = [a, b].map(|path| read(path, SoakReport::read));
+    print(&a?.compared_with(&b?), 0.0);
+    Ok(())
+}
+
+/// Reads a report.
+fn read<T>(path: &Path, parse: fn(&str) -> Result<T, ReadError>) -> anyhow::Result<T> {
+    let text = files::read_text(path)?;
+    parse(&text).with_context(|| format!("{} can't be compared", path.display()))
+}
+
+/// Prints the lines that differ by more than `above` per cent, under the title of their row.
+fn print(comparison: &Comparison, above: f64) {
     for warning in &comparison.warnings {
         println!("note: {warning}");
     }
-    let mut title = "";
+    let mut title = None;
     for line in &comparison.lines {
-        if !is_above(line, args.above) {
+        if !is_above(line, above) {
             continue;
         }
-        if line.title != title {
+        if title != Some(&line.title) {
+            if !line.title.is_empty() {
+                println!("\n{}", line.title);
+            }
             println!(
-                "\n{}\n  {:32}{:>16}{:>16}{:>12}  second is",
-                line.title, "", "first", "second", "change"
+                "  {:32}{:>16}{:>16}{:>12}  second is",
+                "", "first", "second", "change"
             );
-            title = &line.title;
+            title = Some(&line.title);
         }
+        let [a, b] = line.values.map(|value| value.map_or("–".into(), number));
+        let judged = match line.is_better() {
+            Some(true) => "better",
+            Some(false) => "worse",
+            None => "",
+        };
         println!(
-            "  {:32}{:>16}{:>16}{:>12}  {}",
+            "  {:32}{a:>16}{b:>16}{:>12}  {judged}",
             line.name,
-            number(line.a),
-            number(line.b),
-            change(line.change()),
-            judged(line.is_better())
+            change(line.change())
         );
     }
     for row in &comparison.alone {
         println!("not compared: {row}");
     }
-    match &args.chart {
-        Some(out) => write_chart(out, [(&args.a, &a), (&args.b, &b)]),
-        None => Ok(()),
-    }
-}
-
-/// Charts measurements, each with the file that it was read from.
-fn write_chart(out: &Output, measured: [(&PathBuf, &BenchReport); 2]) -> anyhow::Result<()> {
-    let names = measured.map(|(path, _)| {
-        let name = path.file_stem().unwrap_or_default();
-        name.to_string_lossy().into_owned()
-    });
-    let reports: [NamedReport; 2] = std::array::from_fn(|k| NamedReport {
-        name: &names[k],
-        report: measured[k].1,
-    });
-    let first = measured[0].1;
-    let title = chart_title(&first.avatar, first.size, &first.device);
-    match out.ending() {
-        "svg" => out.write(sizes::svg(&reports, &title)?),
-        _ => out.write(sizes::png(&reports, &title)?),
-    }
-}
-
-/// Prints two soaks against each other.
-pub fn soaks(a: &Path, b: &Path) -> anyhow::Result<()> {
-    let read = |path: &Path| {
-        soak::compare::read(&files::read_text(path)?)
-            .with_context(|| format!("{} can't be compared", path.display()))
-    };
-    let (lines, differences) = soak::compare::compare(&read(a)?, &read(b)?);
-    for difference in differences {
-        println!("note: {difference}");
-    }
-    println!(
-        "  {:26}{:>16}{:>16}{:>12}  second is",
-        "", "first", "second", "change"
-    );
-    let cell = |value: Option<f64>| value.map_or("–".to_owned(), number);
-    for line in lines {
-        let [a, b] = line.values;
-        let change = match (a, b) {
-            (Some(a), Some(b)) if a != 0.0 && b != 0.0 => format!("{:.3}×", b / a),
-            _ => "–".to_owned(),
-        };
-        println!(
-            "  {:26}{:>16}{:>16}{change:>12}  {}",
-            line.name,
-            cell(a),
-            cell(b),
-            judged(line.is_better())
-        );
-    }
-    Ok(())
 }
 
 /// Whether a line changed by more than `percent`. Decibels count by the change of the error that
 /// they stand for.
-fn is_above(line: &BenchNumber, percent: f64) -> bool {
+fn is_above(line: &ComparedNumber, percent: f64) -> bool {
     match line.change() {
         _ if percent <= 0.0 => true,
         Change::Ratio(ratio) => (ratio - 1.0).abs() * 100.0 > percent,
@@ -140,15 +114,6 @@ fn is_above(line: &BenchNumber, percent: f64) -> bool {
             100.0 * (10f64.powf(difference.abs() / 20.0) - 1.0) > percent
         }
         Change::None => true,
-    }
-}
-
-/// Empty where a number is no better and no worse, or neither is.
-fn judged(is_better: Option<bool>) -> &'static str {
-    match is_better {
-        Some(true) => "better",
-        Some(false) => "worse",
-        None => "",
     }
 }
 

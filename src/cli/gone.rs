@@ -12,6 +12,10 @@ struct Gone {
 const LAB: &str =
     "it is in the laboratory now: `cargo run --profile desktop -p effigy-lab -- --help`";
 
+/// What replaces a share of the rows.
+const ROWS: &str =
+    "`effigy bench --sweep rows` measures shares of the rows; `effigy prune` removes rows";
+
 const GONE: &[Gone] = &[
     Gone {
         written: "stress",
@@ -58,6 +62,28 @@ const GONE: &[Gone] = &[
     Gone {
         written: "tiles-per-thread",
         instead: "`--raster tiles-cooperative` is as fast or faster on every CPU driver",
+    },
+    Gone {
+        written: "--strip",
+        instead: "`effigy render --supersample 1` and `auto` draw an avatar both ways, and \
+                  `--reference` as it should look",
+    },
+    Gone {
+        written: "--pose-rate",
+        instead: "`effigy bench --sweep pose-rate` measures every rate",
+    },
+    Gone {
+        written: "--row-share",
+        instead: ROWS,
+    },
+    Gone {
+        written: "--rows",
+        instead: ROWS,
+    },
+    Gone {
+        written: "--warm-up",
+        instead: "leave it out: frames are drawn for half a second, and at least three, before any is \
+                  timed",
     },
     Gone {
         written: "--preset",

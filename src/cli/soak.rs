@@ -12,7 +12,8 @@ use anyhow::{Context, anyhow};
 use clap::ValueEnum;
 use effigy::vulkan::{Gpu, raster, sort};
 use effigy_measure::{
-    bench::{RenderSetting, report::ErrorReport},
+    report::ErrorReport,
+    setting::RenderSetting,
     soak::{
         self, Session, SoakReport, SoakSettings, SoakTask,
         faults::{SoakLimits, held_rate},
@@ -114,11 +115,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let options = args.quality.renderer(args.size);
     // A soak is of the fastest sort: it is worth the wait.
     sort::choice::choose(&gpu)?;
-    let setting = RenderSetting {
-        options: raster::resolved(&gpu, options),
-        rows: 1.0,
-        hold: 1,
-    };
+    let setting = RenderSetting::new(raster::resolved(&gpu, options));
     let rate = match args.fps {
         Some(rate) => rate,
         None => soak::run::recommended_rate(&gpu, &avatar, &player, &setting)?,

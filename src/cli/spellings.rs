@@ -13,12 +13,11 @@ fn parse(arguments: &str) -> Result<String, clap::Error> {
 }
 
 /// Old spellings, each with the new one. CHANGELOG.md lists them.
-const OLD: [(&str, &str); 9] = [
+const OLD: [(&str, &str); 8] = [
     ("view --raster hulls", "view --raster quads"),
     ("render --least", "render --baseline"),
     ("render --sort selfscan", "render --sort reduce-then-scan"),
     ("render --sort lanescan", "render --sort per-thread"),
-    ("bench --rows 0.5", "bench --row-share 0.5"),
     (
         "bake motion a.bvh --out a.motion --rate 30",
         "bake motion a.bvh --out a.motion --fps 30",

@@ -17,7 +17,6 @@ pub mod ground_truth;
 pub mod levels;
 mod likeness;
 pub mod pictures;
-pub mod plot;
 mod poses;
 pub mod prune;
 pub mod score;

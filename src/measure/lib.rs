@@ -11,8 +11,9 @@
 //! - [`similarity`] is how similar an image is to a photo's: L1, PSNR and SSIM.
 //! - [`viewpoint`] is where avatars are seen from.
 //! - [`setting`] is how an avatar is drawn to be measured.
-//! - [`report`] holds the parts that all reports share.
-//! - [`chart`] draws the charts of all of them.
+//! - [`report`] holds the parts that all reports share, [`table`] their rows as a CSV and two
+//!   against each other.
+//! - [`chart`] draws the charts of all of them, and of trainings.
 
 pub mod bench;
 pub mod bytes;
@@ -26,6 +27,7 @@ pub mod report;
 pub mod setting;
 pub mod similarity;
 pub mod soak;
+pub mod table;
 pub mod viewpoint;
 
 use glam::{DAffine3, DVec3};

@@ -329,42 +329,6 @@ pub fn difference(name: &str, a: String, b: String) -> Option<String> {
     (a != b).then(|| format!("the {name} differs: {a} against {b}"))
 }
 
-/// Whether the second of two numbers of reports is better, by their name. None where neither is: they
-/// differ by less than one per cent, or more of it is neither good nor bad.
-pub fn is_better(name: &str, [a, b]: [f64; 2]) -> Option<bool> {
-    /// What can't be told from how measurements vary anyway.
-    const EQUAL: f64 = 0.01;
-    const MORE: [&str; 3] = ["psnr_db", "fps", "within_tolerance"];
-    const LESS: [&str; 17] = [
-        "frame_ms",
-        "gpu_ms",
-        "busy_ms",
-        "time_ratio",
-        "max_error",
-        "flip",
-        "added_flicker",
-        "gpu_memory",
-        "device_bytes",
-        "resident_bytes",
-        "late",
-        "dropped",
-        "governor",
-        "headroom",
-        "celsius",
-        "watts",
-        "faults",
-    ];
-    let begins = |list: &[&str]| list.iter().any(|start| name.starts_with(start));
-    let more = begins(&MORE);
-    let is_judged = more || begins(&LESS) || name.ends_with("_ms_median");
-    let is_equal = if name.starts_with("psnr") {
-        a == b || (b - a).abs() < 20.0 * (1.0 + EQUAL).log10()
-    } else {
-        (b - a).abs() <= EQUAL * a.abs()
-    };
-    (is_judged && !is_equal && !a.is_nan() && !b.is_nan()).then_some((b > a) == more)
-}
-
 /// The title of a chart: what was measured, at which size (px), and on what.
 pub fn chart_title(avatar: &Subject, size: [u32; 2], device: &DeviceReport) -> String {
     format!(
@@ -377,69 +341,13 @@ pub fn chart_title(avatar: &Subject, size: [u32; 2], device: &DeviceReport) -> S
 pub(crate) mod tests {
     use super::*;
 
-    #[test]
-    fn more_decibels_and_fewer_milliseconds_are_better() {
-        for (name, values, expected) in [
-            ("psnr_db", [50.0, 51.0], Some(true)),
-            ("psnr_db_whole", [f64::INFINITY, 51.0], Some(false)),
-            ("psnr_db", [f64::INFINITY; 2], None),
-            ("psnr_db", [50.0, 50.05], None),
-            ("frame_ms_median", [10.0, 8.0], Some(true)),
-            ("frame_ms_p99", [10.0, 10.05], None),
-            ("raster_ms_median", [1.0, 2.0], Some(false)),
-            ("fps", [60.0, 30.0], Some(false)),
-            ("max_error", [0.0, 0.1], Some(false)),
-            ("faults", [1.0, 0.0], Some(true)),
-            ("fps", [60.0, f64::NAN], None),
-            ("covered_pixels", [1.0, 2.0], None),
-            ("raster_ran", [1.0, 2.0], None),
-        ] {
-            assert_eq!(is_better(name, values), expected, "{name} {values:?}");
-        }
-    }
+    /// A body that was measured.
+    pub(crate) const MEASURED: &str = include_str!("../../docs/benchmarks/2026-11-27-nodes.json");
 
-    pub(crate) fn program() -> Program {
-        Program {
-            version: "1".into(),
-            commit: None,
-            date: "now".into(),
-            command: vec![],
-        }
-    }
-
-    pub(crate) fn device() -> DeviceReport {
-        DeviceReport {
-            name: "A".into(),
-            driver: "B".into(),
-            vulkan: "1.3.0".into(),
-            subgroup_size: 8,
-            timestamps: true,
-            backend: "vulkan".into(),
-        }
-    }
-
-    pub(crate) fn subject() -> Subject {
-        Subject {
-            name: "body".into(),
-            clip: "walk".into(),
-            gaussians: 10,
-            parts: 1,
-            nodes: 2,
-            rows: [1, 2, 3],
-        }
-    }
-
-    pub(crate) fn options() -> OptionsReport {
-        OptionsReport {
-            color: "rgba16f".into(),
-            raster: "quads".into(),
-            skip: "none".into(),
-            cutoff: 1.0 / 255.0,
-            detail: "full".into(),
-            filter: "own".into(),
-            rows: 1.0,
-            hold: 1,
-        }
+    /// A part of its report.
+    pub(crate) fn part<T: DeserializeOwned>(key: &str) -> T {
+        let mut report: serde_json::Value = serde_json::from_str(MEASURED).expect("a report");
+        serde_json::from_value(report[key].take()).expect("a part of it")
     }
 
     #[test]
@@ -474,7 +382,7 @@ pub(crate) mod tests {
 
     #[test]
     fn options_of_old_reports_get_their_present_names() {
-        let mut old = serde_json::json!(options());
+        let mut old: serde_json::Value = part("options");
         old["skip"] = "faint,hidden,full,area".into();
         old["margin"] = 0.005.into();
         let read: OptionsReport = serde_json::from_value(old).expect("options");

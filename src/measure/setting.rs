@@ -15,6 +15,15 @@ pub struct RenderSetting {
 }
 
 impl RenderSetting {
+    /// All rows, and a new pose in every frame.
+    pub fn new(options: RendererOptions) -> Self {
+        Self {
+            options,
+            rows: 1.0,
+            hold: 1,
+        }
+    }
+
     /// The avatar with the rows that this setting retains.
     pub fn reduce<'a>(&self, avatar: &'a Avatar) -> Cow<'a, Avatar> {
         if self.rows < 1.0 {

@@ -5,7 +5,7 @@ use crate::data::{Shot, Views, shots, training_shots};
 use crate::view::{Shows, View};
 use effigy_capture::Capture;
 use effigy_core::io::file::{FileError, replace};
-use effigy_learn::plot::{self, Plot, PlotLine};
+use effigy_measure::chart::{Axis, BLUE, Chart, ChartError, Corner, Line, ORANGE, Panel, Style};
 use image::{ImageFormat, RgbImage};
 use std::fs;
 use std::io::{self, Cursor};
@@ -149,32 +149,35 @@ pub fn chart(folder: &Path) -> Result<(), FileError> {
             .filter_map(|line| Some((number(&line, 0)?, number(&line, at)?)))
             .collect())
     };
-    let line = |name: &str, points| PlotLine {
-        name: name.into(),
-        points,
-    };
-    let plot = Plot {
-        title: "PSNR while it learns",
-        x: "steps",
-        y: "dB",
-        log: false,
-        lines: vec![
-            line(
-                "pictures it learns from, whole views",
-                points("log.csv", "psnr_db")?,
-            ),
-            line(
-                "watched pictures, the person alone",
-                points(LOG, "psnr_db")?,
-            ),
-        ],
-    };
+    let learned = points("log.csv", "psnr_db")?;
+    let watched = points(LOG, "psnr_db")?;
     let file = folder.join(CHART);
-    match plot::svg(&plot) {
-        Ok(text) => replace(&file, text.as_bytes()),
+    match drawn(learned, watched) {
+        Ok(svg) => replace(&file, &svg),
         Err(error) => Err(FileError::Write {
             file,
             cause: io::Error::other(error),
         }),
     }
+}
+
+/// The SVG of both logs.
+fn drawn(learned: Vec<(f64, f64)>, watched: Vec<(f64, f64)>) -> Result<Vec<u8>, ChartError> {
+    let points = || learned.iter().chain(&watched).copied();
+    let x = Axis::around("steps", points().map(|point| point.0), 0.0, 0.0)?;
+    let y = Axis::around("dB", points().map(|point| point.1), 0.06, 0.0)?;
+    let mut panel = Panel::new(x, y);
+    let whole = "pictures it learns from, whole views";
+    let person = "watched pictures, the person alone";
+    panel.lines = vec![
+        Line::new(whole, BLUE, Style::Dotted, learned),
+        Line::new(person, ORANGE, Style::Dotted, watched),
+    ];
+    panel.legend = Some(Corner::UpperRight);
+    let chart = Chart {
+        title: "PSNR while it learns".into(),
+        size: [1000, 640],
+        panels: vec![panel],
+    };
+    chart.encoded("svg")
 }

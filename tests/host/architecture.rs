@@ -184,7 +184,6 @@ const LAYERS: &[Layers] = &[
         package: "src/learn",
         modules: &[
             "math",
-            "plot",
             "bake",
             "poses",
             "likeness",
@@ -226,6 +225,7 @@ const LAYERS: &[Layers] = &[
             "viewpoint",
             "similarity",
             "report",
+            "table",
             "flicker",
             "soak",
             "bench",

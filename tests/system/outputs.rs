@@ -68,7 +68,7 @@ const COMMANDS: [(&str, &[&str]); 15] = [
 /// far here: its folder has nothing that it could read.
 const LONG_COMMANDS: [(&str, &[&str]); 11] = [
     (
-        "bench --json o.json --csv o.csv --strip o.png",
+        "bench --json o.json --csv o.csv --pareto o.png",
         &["o.json", "o.csv", "o.png"],
     ),
     ("bench --pareto o.svg --trace o.json", &["o.svg", "o.json"]),
@@ -404,7 +404,6 @@ fn names_that_promise_something_else_are_refused() {
         ("import walk.bvh a.avatar", "does not end in .motion"),
         ("export --npz a.avatar", "write a.npz"),
         ("bench --csv a.json", "write a.csv"),
-        ("bench --strip a.jpg", "write a.png"),
         ("bench --pareto a.pdf", "write a.svg or a.png"),
         ("view --trace body.avatar", "write body.json"),
         ("bake motion 01_01.bvh a.bvh", "write a.motion"),

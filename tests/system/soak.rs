@@ -1,7 +1,7 @@
 //! The soak on a device: what it writes, what it says when it fails, and that nothing grows.
 
 use crate::common::{self, gpu};
-use effigy_measure::soak::{SoakReport, compare, report::Second};
+use effigy_measure::soak::{SoakReport, report::Second};
 use std::{
     fs,
     io::{BufRead, BufReader},
@@ -37,7 +37,7 @@ fn text(output: &Output) -> String {
 }
 
 fn report(folder: &Path, name: &str) -> SoakReport {
-    compare::read(&fs::read_to_string(folder.join(name)).unwrap()).unwrap()
+    SoakReport::read(&fs::read_to_string(folder.join(name)).unwrap()).unwrap()
 }
 
 fn a_short_soak_writes_all_its_files_and_they_compare() {

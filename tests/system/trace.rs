@@ -145,7 +145,7 @@ fn a_benchmarks_trace_has_every_frame_on_both_tracks() {
     check(
         &trace(
             folder.path(),
-            "bench small.avatar --motion small.motion --size 96x128 --frames 12 --warm-up 1 --check 0",
+            "bench small.avatar --motion small.motion --size 96x128 --frames 12 --check 0",
         ),
         12,
     );

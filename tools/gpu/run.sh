@@ -54,7 +54,7 @@ body=()
 if [ -n "${EFFIGY_GPU_SHORT:-}" ]; then
   # The built-in demo, in so few pixels that a CPU driver and the reference keep up.
   body=() total=${EFFIGY_GPU_SECONDS:-1200} slower=3
-  frames=(--size 192x192 --frames 3 --check 1 --spread 0 --warm-up 1) sweep=(--rounds 1)
+  frames=(--size 192x192 --frames 3 --check 1 --spread 0) sweep=(--rounds 1)
   sorts=(--max-keys 16384 --keys 22 --runs 2) rates=(--size 256x256 --max-copy 8 --min-ms 2)
   soak_seconds=12 soak=(--size 192x192 --fps 0.5 --late 90) tests=(rates::)
 else

@@ -3,8 +3,8 @@
 use effigy_measure::bench::{
     BenchCase,
     report::{
-        BenchReport, CaseReport, ErrorReport, FlickerReport, SpreadReport, StageReport,
-        SweepReport, TimingSummary, ViewReport,
+        BenchReport, CaseReport, FlickerReport, SpreadReport, SweepReport, TimingSummary,
+        ViewReport,
     },
 };
 use effigy_measure::{
@@ -44,11 +44,14 @@ pub fn print_heading(report: &BenchReport) {
 /// Prints what was measured of one case.
 pub fn print_case(case: BenchCase, report: &CaseReport) {
     println!("\n{case}: {}, {} frames", case.about(), report.frames);
-    println!(
-        "  frame     {}; {:.1} fps",
-        times(&report.frame_ms),
-        report.fps
-    );
+    let times = |ms: &TimingSummary| {
+        format!(
+            "{:9.3} ms median, {:.3} mean, {:.3} p5, {:.3} p95, {:.3} p99",
+            ms.median, ms.mean, ms.p5, ms.p95, ms.p99
+        )
+    };
+    let frame = times(&report.frame_ms);
+    println!("  frame     {frame}; {:.1} fps", report.fps);
     if let Some(gpu) = &report.gpu_ms {
         println!("  GPU       {}", times(gpu));
     }
@@ -64,31 +67,31 @@ pub fn print_case(case: BenchCase, report: &CaseReport) {
         );
     }
     if let Some(error) = &report.error {
-        print_error(error);
+        let flip = error.flip.map(|flip| format!(", FLIP {flip:.4}"));
+        println!(
+            "  error     {}, {:.4} at most, {:.3} % of covered pixels within 4/255{}",
+            decibels(error.psnr_db),
+            error.max_error,
+            100.0 * error.within_tolerance,
+            flip.unwrap_or_default()
+        );
+        println!(
+            "            {}, {:.4} at most over whole images",
+            decibels(error.psnr_db_whole),
+            error.max_error_whole
+        );
+        println!(
+            "            worst of {} frames against the f64 reference",
+            error.frames
+        );
     }
     if let Some(flicker) = &report.flicker {
         print_flicker(flicker);
     }
 }
 
-/// Milliseconds.
-fn times(spread: &TimingSummary) -> String {
-    format!(
-        "{:9.3} ms median, {:.3} mean, {:.3} p5, {:.3} p95, {:.3} p99",
-        spread.median, spread.mean, spread.p5, spread.p95, spread.p99
-    )
-}
-
 fn mega(count: u64) -> f64 {
     count as f64 / 1e6
-}
-
-fn ratio(counted: u64, floor: u64) -> String {
-    if floor == 0 {
-        "–".to_owned()
-    } else {
-        format!("{:.2}", counted as f64 / floor as f64)
-    }
 }
 
 /// A line per stage, and one of their sums over a mean frame.
@@ -97,130 +100,89 @@ fn print_stages(report: &CaseReport) {
         "  {:9}{:>12}{:>8}{:>11}{:>10}{:>7}{:>12}{:>12}",
         "stage", "ms", "ran", "MB", "floor", "ratio", "Mop", "floor"
     );
+    let bytes = |moved: Option<u64>, floor: Option<u64>| {
+        let (moved, floor) = (moved.unwrap_or_default(), floor.unwrap_or_default());
+        let ratio = (floor > 0).then(|| moved as f64 / floor as f64);
+        let ratio = known(ratio, 2);
+        format!("{:11.2}{:10.2}{ratio:>7}", mega(moved), mega(floor))
+    };
     for stage in &report.stages {
-        print_stage(stage);
+        println!(
+            "  {:9}{:>12}{:>7.0}%{}{:>12}{:>12}",
+            stage.name,
+            known(stage.ms.map(|ms| ms.median), 3),
+            100.0 * stage.ran,
+            bytes(stage.bytes, stage.bytes_floor),
+            known(stage.operations.map(mega), 2),
+            known(stage.operations_floor.map(mega), 2),
+        );
     }
-    let bytes = report.bytes.unwrap_or_default();
-    let floor = report.bytes_floor.unwrap_or_default();
-    println!(
-        "  {:9}{:>20}{:11.2}{:10.2}{:>7}   a mean frame",
-        "all",
-        "",
-        mega(bytes),
-        mega(floor),
-        ratio(bytes, floor)
-    );
+    let all = bytes(report.bytes, report.bytes_floor);
+    println!("  {:9}{:>20}{all}   a mean frame", "all", "");
 }
 
-fn print_stage(stage: &StageReport) {
-    let ms = stage
-        .ms
-        .map_or("–".to_owned(), |ms| format!("{:.3}", ms.median));
-    let bytes = stage.bytes.unwrap_or_default();
-    let floor = stage.bytes_floor.unwrap_or_default();
-    let operations =
-        |count: Option<u64>| count.map_or("–".to_owned(), |count| format!("{:.2}", mega(count)));
-    println!(
-        "  {:9}{ms:>12}{:>7.0}%{:11.2}{:10.2}{:>7}{:>12}{:>12}",
-        stage.name,
-        100.0 * stage.ran,
-        mega(bytes),
-        mega(floor),
-        ratio(bytes, floor),
-        operations(stage.operations),
-        operations(stage.operations_floor),
-    );
+/// A number with so many decimals, or a dash.
+fn known(number: Option<f64>, decimals: usize) -> String {
+    number.map_or("–".to_owned(), |number| format!("{number:.decimals$}"))
 }
 
 /// Prints the mean counters of a frame, those that were counted.
 fn print_counters(report: &CaseReport) {
     let count = |name: &str| report.counters.get(name).copied();
-    // Pairs of a counter and its label, as `label count, label count`.
+    // Counters with their labels, as `label count, label count`.
     let list = |counters: &[(&str, &str)]| {
         let counted = counters.iter().filter_map(|(name, label)| {
-            let count = count(name)?;
-            Some(format!("{label} {}", number(count)))
+            let count = number(count(name)?);
+            Some(format!("{label} {count}"))
         });
         counted.collect::<Vec<_>>().join(", ")
     };
-    println!(
-        "  Gaussians {}",
-        list(&[
-            ("gaussians", "in"),
-            ("drawn", "drawn"),
-            ("culled", "culled")
-        ])
-    );
-    let mut reasons = vec![
+    let print = |title: &str, listed: String| {
+        if !listed.is_empty() {
+            println!("  {title:9} {listed}");
+        }
+    };
+    let gaussians = [
+        ("gaussians", "in"),
+        ("drawn", "drawn"),
+        ("culled", "culled"),
+    ];
+    print("Gaussians", list(&gaussians));
+    let reasons = [
+        ("skipped_by_detail", "skipped by detail"),
         ("outside", "outside"),
         ("faint", "faint"),
         ("degenerate", "degenerate"),
     ];
-    if count("skipped_by_detail") > Some(0.0) {
-        reasons.insert(0, ("skipped_by_detail", "skipped by detail"));
-    }
-    let reasons = list(&reasons);
-    if !reasons.is_empty() {
-        println!("  culled    {reasons}");
-    }
+    let has_skipped = count("skipped_by_detail") > Some(0.0);
+    print("culled", list(&reasons[usize::from(!has_skipped)..]));
     if count("avatars") > Some(1.0) {
-        println!(
-            "  avatars   {}",
-            list(&[("avatars", "in"), ("avatars_culled", "culled")])
+        print(
+            "avatars",
+            list(&[("avatars", "in"), ("avatars_culled", "culled")]),
         );
     }
-    let mut pixels = Vec::new();
     let drawn = list(&[("damaged", "damaged"), ("fragments", "fragments")]);
-    if !drawn.is_empty() {
-        pixels.push(drawn);
-    }
-    if let Some(covered) = report.covered_pixels {
-        pixels.push(format!("covered {}", number(covered)));
-    }
-    if let Some(ratio) = report.fragments_a_pixel {
-        pixels.push(format!("{ratio:.2} fragments per covered pixel"));
-    }
-    if !pixels.is_empty() {
-        println!("  pixels    {}", pixels.join(", "));
-    }
-    println!(
-        "  commands  {}",
-        list(&[("dispatches", "dispatches"), ("submitted", "submitted")])
-    );
+    let covered = report
+        .covered_pixels
+        .map(|own| format!("covered {}", number(own)));
+    let ratio = report.fragments_a_pixel;
+    let ratio = ratio.map(|own| format!("{own:.2} fragments per covered pixel"));
+    let drawn = (!drawn.is_empty()).then_some(drawn);
+    let pixels: Vec<String> = [drawn, covered, ratio].into_iter().flatten().collect();
+    print("pixels", pixels.join(", "));
+    let commands = [("dispatches", "dispatches"), ("submitted", "submitted")];
+    print("commands", list(&commands));
 }
 
 /// A mean count, without decimals if it is whole.
 fn number(count: f64) -> String {
-    if count.fract() == 0.0 {
-        format!("{count:.0}")
-    } else {
-        format!("{count:.1}")
-    }
+    let decimals = usize::from(count.fract() != 0.0);
+    format!("{count:.decimals$}")
 }
 
 fn decibels(psnr: Option<f64>) -> String {
     psnr.map_or("no error".to_owned(), |psnr| format!("{psnr:.2} dB"))
-}
-
-fn print_error(error: &ErrorReport) {
-    let flip = error
-        .flip
-        .map_or(String::new(), |flip| format!(", FLIP {flip:.4}"));
-    println!(
-        "  error     {}, {:.4} at most, {:.3} % of covered pixels within 4/255{flip}",
-        decibels(error.psnr_db),
-        error.max_error,
-        100.0 * error.within_tolerance
-    );
-    println!(
-        "            {}, {:.4} at most over whole images",
-        decibels(error.psnr_db_whole),
-        error.max_error_whole
-    );
-    println!(
-        "            worst of {} frames against the f64 reference",
-        error.frames
-    );
 }
 
 /// Prints what changes from frame to frame, in 255ths, and what each switch changes.
@@ -262,14 +224,12 @@ fn print_flicker(flicker: &FlickerReport) {
 }
 
 fn print_residual(name: &str, residual: &Residual) {
-    let flip = residual
-        .flip
-        .map_or("–".to_owned(), |flip| format!("{flip:.4}"));
     println!(
-        "    {name:22}{:10.3}{:10.1}{:10.1}{flip:>10}",
+        "    {name:22}{:10.3}{:10.1}{:10.1}{:>10}",
         255.0 * residual.mean,
         255.0 * residual.p999,
-        255.0 * residual.max
+        255.0 * residual.max,
+        known(residual.flip, 4)
     );
 }
 

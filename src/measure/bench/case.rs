@@ -1,110 +1,88 @@
-//! The scripted cases by name.
+//! The cases, and what each draws: a task and a setting go in, the scene of every frame comes out.
+//!
+//! [`BenchCase::Full`] jumps through the clip and around the avatar, so that no frame resembles the
+//! one before. The other moving cases run in real time at [`RATE`], as in a viewer, but in takes of
+//! [`TAKE`] frames from places spread over the clip, each from another side: so even a short run
+//! measures more than one step seen from one side. A zoom has no takes.
 
-use crate::setting::RenderSetting;
-use effigy_core::frame::Skip;
-use std::{fmt, str::FromStr};
+use crate::{
+    in_rows,
+    setting::RenderSetting,
+    viewpoint::{self, FOV, PITCH},
+};
+use effigy_core::{
+    avatar::{Avatar, Pose, motion::Player},
+    frame::Skip,
+    scene::{AvatarBounds, Camera, Framing, Posed},
+};
+use glam::DVec3;
+use std::{f64::consts::TAU, fmt, ops::Range, str::FromStr};
 
-/// A scripted scene that a benchmark draws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum BenchCase {
-    /// A new pose and another view in every frame.
-    Full,
-    /// Only the camera moves.
-    Camera,
-    /// Motion in real time before an orbiting camera.
-    Orbit,
-    /// Only the expression changes.
-    Expression,
-    /// Nothing changes.
-    Static,
-    /// Motion in real time, close to the face.
-    Close,
-    /// Motion in real time, 30 px tall.
-    Far30,
-    /// Motion in real time, 60 px tall.
-    Far,
-    /// Motion in real time, 120 px tall.
-    Far120,
-    /// Motion in real time, 240 px tall.
-    Far240,
-    /// Motion in real time, 480 px tall.
-    Far480,
-    /// Four avatars in motion.
-    Four,
-    /// A crowd in motion, about 60 px tall where the image has room for all.
-    Crowd,
-    /// Motion in real time before an orbiting camera, with the flicker of what is drawn.
-    Flicker,
-    /// The camera moves away from a still avatar, with the flicker of what is drawn.
-    Zoom,
+/// Frames a second in real time.
+pub const RATE: f64 = 60.0;
+/// Frames from one cut to the next.
+pub const TAKE: usize = 12;
+
+/// Angle of a slow orbit, radians a frame: half a degree.
+const ORBIT_STEP: f64 = TAU / 720.0;
+/// Distance from the camera to the face in a close-up, metres: a forearm.
+const FOREARM: f64 = 0.45;
+
+/// Height of the avatar in the first and last frame of a zoom, px, in an image that has room for
+/// it.
+const ZOOM: [f64; 2] = [2000.0, 20.0];
+/// Most of an image's height that it takes.
+const ZOOM_SHARE: f64 = 0.98;
+
+/// A table of the cases: variant, name on the command line and in reports, what it draws.
+macro_rules! cases {
+    ($($case:ident $name:literal $about:literal)*) => {
+        /// A scripted scene that a benchmark draws.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum BenchCase {
+            $(#[doc = $about] $case,)*
+        }
+
+        impl BenchCase {
+            /// Every case.
+            pub const ALL: &[Self] = &[$(Self::$case,)*];
+
+            /// Name on the command line and in reports.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$case => $name,)*
+                }
+            }
+
+            /// One line on what it draws.
+            pub fn about(self) -> &'static str {
+                match self {
+                    $(Self::$case => $about,)*
+                }
+            }
+        }
+    };
+}
+
+cases! {
+    Full "full" "every frame a new pose and the next view"
+    Camera "camera" "a still avatar, a slowly orbiting camera"
+    Orbit "orbit" "motion in real time, a slowly orbiting camera"
+    Expression "expression" "only the expression changes"
+    Static "static" "nothing changes"
+    Close "close" "motion in real time, the camera a forearm from the face"
+    Far30 "far30" "motion in real time, the avatar 30 px tall"
+    Far "far" "motion in real time, the avatar 60 px tall"
+    Far120 "far120" "motion in real time, the avatar 120 px tall"
+    Far240 "far240" "motion in real time, the avatar 240 px tall"
+    Far480 "far480" "motion in real time, the avatar 480 px tall"
+    Four "four" "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
+    Crowd "crowd" "64 avatars in motion, about 60 px tall if they fit, a slowly orbiting camera"
+    Flicker "flicker" "motion in real time, a slowly orbiting camera; what flickers"
+    Zoom "zoom" "a still avatar that grows smaller, from 2000 to 20 px; what flickers"
 }
 
 impl BenchCase {
-    /// Every case.
-    pub const ALL: [Self; 15] = [
-        Self::Full,
-        Self::Camera,
-        Self::Orbit,
-        Self::Expression,
-        Self::Static,
-        Self::Close,
-        Self::Far30,
-        Self::Far,
-        Self::Far120,
-        Self::Far240,
-        Self::Far480,
-        Self::Four,
-        Self::Crowd,
-        Self::Flicker,
-        Self::Zoom,
-    ];
-
-    /// Name on the command line and in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Full => "full",
-            Self::Camera => "camera",
-            Self::Orbit => "orbit",
-            Self::Expression => "expression",
-            Self::Static => "static",
-            Self::Close => "close",
-            Self::Far30 => "far30",
-            Self::Far => "far",
-            Self::Far120 => "far120",
-            Self::Far240 => "far240",
-            Self::Far480 => "far480",
-            Self::Four => "four",
-            Self::Crowd => "crowd",
-            Self::Flicker => "flicker",
-            Self::Zoom => "zoom",
-        }
-    }
-
-    /// One line on what it draws.
-    pub fn about(self) -> &'static str {
-        match self {
-            Self::Full => "every frame a new pose and the next view",
-            Self::Camera => "a still avatar, a slowly orbiting camera",
-            Self::Orbit => "motion in real time, a slowly orbiting camera",
-            Self::Expression => "only the expression changes",
-            Self::Static => "nothing changes",
-            Self::Close => "motion in real time, the camera a forearm from the face",
-            Self::Far30 => "motion in real time, the avatar 30 px tall",
-            Self::Far => "motion in real time, the avatar 60 px tall",
-            Self::Far120 => "motion in real time, the avatar 120 px tall",
-            Self::Far240 => "motion in real time, the avatar 240 px tall",
-            Self::Far480 => "motion in real time, the avatar 480 px tall",
-            Self::Four => {
-                "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
-            }
-            Self::Crowd => {
-                "64 avatars in motion, about 60 px tall if they fit, a slowly orbiting camera"
-            }
-            Self::Flicker => "motion in real time, a slowly orbiting camera; what flickers",
-            Self::Zoom => "a still avatar that grows smaller, from 2000 to 20 px; what flickers",
-        }
-    }
-
     /// Number of avatars in its scenes.
     pub fn instances(self) -> usize {
         match self {
@@ -114,7 +92,7 @@ impl BenchCase {
         }
     }
 
-    /// Whether frames follow each other at [`RATE`](super::scene::RATE), so that a pose can be held
+    /// Whether frames follow each other at [`RATE`], so that a pose can be held
     /// for several of them.
     pub fn in_real_time(self) -> bool {
         matches!(self, Self::Orbit | Self::Close | Self::Four | Self::Flicker)
@@ -144,13 +122,23 @@ impl BenchCase {
         if self.tall().is_some() { 8 } else { 1 }
     }
 
+    /// Frames to draw unless the user says otherwise. `sweep`: in each round of a sweep.
+    pub fn default_frames(self, sweep: bool) -> usize {
+        match self {
+            Self::Zoom => 200,
+            Self::Flicker => 2 * TAKE,
+            _ if sweep => 24,
+            _ => 48,
+        }
+    }
+
     /// Whether the camera moves.
-    pub fn camera_moves(self) -> bool {
+    fn camera_moves(self) -> bool {
         !matches!(self, Self::Static | Self::Expression)
     }
 
     /// Whether the case keeps its own camera even if cameras are given.
-    pub fn own_camera(self) -> bool {
+    fn own_camera(self) -> bool {
         matches!(self, Self::Close | Self::Four | Self::Zoom) || self.tall().is_some()
     }
 }
@@ -177,29 +165,494 @@ impl FromStr for BenchCase {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let names = || Self::ALL.map(Self::name).join(", ");
+        let names = || {
+            Self::ALL
+                .iter()
+                .map(|case| case.name())
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
         Self::ALL
-            .into_iter()
+            .iter()
+            .copied()
             .find(|case| case.name() == text)
             .ok_or_else(|| format!("`{text}` is not a case: write one of {}", names()))
+    }
+}
+
+/// What a benchmark draws, and how much of it is compared with the reference.
+#[derive(Clone, Copy)]
+pub struct BenchTask<'a> {
+    /// The avatar of every instance, with all its rows.
+    pub avatar: &'a Avatar,
+    /// The clips that move it, at least one: cases draw the first, the spread draws all.
+    pub clips: &'a [Player],
+    /// Cameras for images of the setting's size, one for each frame in turn, in place of those
+    /// around the avatar; may be empty. Some cases keep their own.
+    pub cameras: &'a [Camera],
+    /// Frames to time, at least 1; [`BenchCase::default_frames`] if not given.
+    pub frames: Option<usize>,
+    /// Views around the avatar, used in turn, at least 1.
+    pub views: usize,
+    /// How many of the frames to compare with the reference.
+    pub checked: usize,
+    /// Whether to compute FLIP of them too.
+    pub flip: bool,
+    /// Poses of each clip in the spread.
+    pub spread: usize,
+}
+
+/// One avatar of a scene.
+#[derive(Clone, Debug)]
+pub struct PosedInstance {
+    /// The pose to draw.
+    pub drawn: Posed,
+    /// The pose to compare with: that of the clip at this time. It differs while a pose is held.
+    pub reference: Posed,
+}
+
+/// The contents of one frame.
+#[derive(Clone, Debug)]
+pub struct BenchScene {
+    /// At least one. All of them are copies of one avatar.
+    pub instances: Vec<PosedInstance>,
+    /// Where all of them are seen from.
+    pub camera: Camera,
+}
+
+/// The scenes of a case, one a frame. `sweep`: of a sweep's rounds.
+pub fn scenes(
+    case: BenchCase,
+    task: &BenchTask,
+    setting: &RenderSetting,
+    sweep: bool,
+) -> Vec<BenchScene> {
+    let script = Script::new(case, task, setting, sweep);
+    (0..script.frames)
+        .map(|frame| script.scene(frame))
+        .collect()
+}
+
+/// Which of `frames` scenes to compare with the reference: `count` of them, spread over the run and
+/// over the views; while poses are held, at the end of the hold rather than at its start.
+pub fn checks(case: BenchCase, frames: usize, count: usize) -> Vec<usize> {
+    let count = count.min(frames);
+    let last = |check: usize| (check + 1) * frames / count - 1;
+    // One frame earlier each time, for another view. Between takes the view changes anyway.
+    let shift = |check: usize| {
+        if case == BenchCase::Full {
+            check % (frames / count)
+        } else {
+            0
+        }
+    };
+    (0..count).map(|check| last(check) - shift(check)).collect()
+}
+
+/// A case with what it is drawn from.
+struct Script<'a> {
+    case: BenchCase,
+    task: &'a BenchTask<'a>,
+    player: &'a Player,
+    /// Of the image, px.
+    size: [u32; 2],
+    frames: usize,
+    /// Frames that each pose is held for. Only for motion in real time.
+    hold: usize,
+    bounds: AvatarBounds,
+}
+
+impl<'a> Script<'a> {
+    fn new(case: BenchCase, task: &'a BenchTask<'a>, setting: &RenderSetting, sweep: bool) -> Self {
+        Self {
+            case,
+            task,
+            player: &task.clips[0],
+            size: setting.options.size,
+            frames: task.frames.unwrap_or(case.default_frames(sweep)),
+            hold: setting.hold,
+            bounds: AvatarBounds::new(task.avatar),
+        }
+    }
+
+    fn scene(&self, frame: usize) -> BenchScene {
+        let drawn_frame = if self.case.in_real_time() {
+            frame - frame % TAKE % self.hold
+        } else {
+            frame
+        };
+        let instances = (0..self.case.instances()).map(|instance| PosedInstance {
+            drawn: self.posed(drawn_frame, instance),
+            reference: self.posed(frame, instance),
+        });
+        let cameras = self.task.cameras;
+        let camera = if self.case.own_camera() || cameras.is_empty() {
+            self.camera(frame)
+        } else if self.case.camera_moves() {
+            cameras[frame % cameras.len()]
+        } else {
+            cameras[0]
+        };
+        BenchScene {
+            instances: instances.collect(),
+            camera,
+        }
+    }
+
+    /// How tall the avatar is in the image, px, where the case says so.
+    fn tall(&self, frame: usize) -> Option<f64> {
+        if self.case != BenchCase::Zoom {
+            return self.case.tall();
+        }
+        let [first, last] = ZOOM.map(|tall| tall.min(ZOOM_SHARE * f64::from(self.size[1])));
+        let share = frame as f64 / (self.frames.max(2) - 1) as f64;
+        Some(first * (last / first).powf(share))
+    }
+
+    /// Time in the clip, seconds. Static cases stay in its middle.
+    fn seconds(&self, frame: usize) -> f64 {
+        let duration = self.player.clip().duration();
+        match self.case {
+            BenchCase::Full => duration * frame as f64 / self.frames as f64,
+            BenchCase::Camera | BenchCase::Expression | BenchCase::Static | BenchCase::Zoom => {
+                0.5 * duration
+            }
+            _ => {
+                let takes = self.frames.div_ceil(TAKE);
+                let start =
+                    (duration - TAKE as f64 / RATE).max(0.0) * (frame / TAKE) as f64 / takes as f64;
+                start + (frame % TAKE) as f64 / RATE
+            }
+        }
+    }
+
+    /// The pose of an instance in a frame. Each instance is at another time of the clip.
+    fn pose(&self, frame: usize, instance: usize) -> Pose {
+        let duration = self.player.clip().duration();
+        let offset = duration * instance as f64 / self.case.instances() as f64;
+        let mut clip_time = self.seconds(frame) + offset;
+        if offset > 0.0 {
+            clip_time %= duration;
+        }
+        let mut pose = self.player.pose(clip_time);
+        if self.case == BenchCase::Expression {
+            // Clips of bodies have no expression: slow waves of one deviation, each component at
+            // its own rate.
+            let wave = |k: usize| {
+                let cycles = frame as f64 / 40.0 * (1 + k % 3) as f64 + 0.1 * k as f64;
+                (TAU * cycles).sin()
+            };
+            pose.expression = (0..self.task.avatar.inputs.expression).map(wave).collect();
+        }
+        pose
+    }
+
+    fn posed(&self, frame: usize, instance: usize) -> Posed {
+        Posed::new(self.task.avatar, &self.pose(frame, instance))
+            .placed(in_rows(instance, self.case.instances()))
+    }
+
+    fn camera(&self, frame: usize) -> Camera {
+        let case = self.case;
+        if case == BenchCase::Close {
+            return self.close_up(frame);
+        }
+        // Within a take the camera does not follow the avatar's steps.
+        let framed = match case {
+            BenchCase::Full => frame,
+            BenchCase::Zoom => 0,
+            _ => frame - frame % TAKE,
+        };
+        let own = |instance| self.bounds.framing(&self.posed(framed, instance).joints);
+        let framing = self
+            .framed_instances(frame)
+            .map(own)
+            .reduce(Framing::union)
+            .unwrap_or_else(|| own(0));
+        let [min, max] = framing.bounds;
+        let views = self.task.views;
+        let view = match case {
+            BenchCase::Full => frame % views,
+            BenchCase::Static | BenchCase::Expression | BenchCase::Zoom => 0,
+            _ => frame / TAKE % views,
+        };
+        let orbit = if matches!(case, BenchCase::Full | BenchCase::Zoom) || !case.camera_moves() {
+            0.0
+        } else {
+            ORBIT_STEP * (frame % TAKE) as f64
+        };
+        let mut distance = Camera::framing_distance([min, max], FOV, self.size);
+        if let Some(tall) = self.tall(frame) {
+            let focal = 0.5 * f64::from(self.size[1]) / (0.5 * FOV).tan();
+            let asked = focal * (max.y - min.y) / tall;
+            distance = if case == BenchCase::Zoom {
+                asked
+            } else {
+                distance.max(asked)
+            };
+        }
+        let yaw = viewpoint::yaw_of_view(view, views) + orbit;
+        Camera {
+            near: framing.near,
+            ..Camera::orbit(framing.middle(), yaw, PITCH, distance, FOV, self.size)
+        }
+    }
+
+    /// The instances that the camera frames. Of a few, every other take frames only the first, so
+    /// that the others are partly or wholly outside the image.
+    fn framed_instances(&self, frame: usize) -> Range<usize> {
+        let all = self.case.instances();
+        if self.case != BenchCase::Crowd && (frame / TAKE).is_multiple_of(2) {
+            0..all.div_ceil(4)
+        } else {
+            0..all
+        }
+    }
+
+    /// A camera straight in front of the face: of the joint `head`, or else of the upper end of the
+    /// bounds.
+    fn close_up(&self, frame: usize) -> Camera {
+        let pose = self.pose(frame, 0);
+        let avatar = self.task.avatar;
+        let skeleton = &avatar.skeleton;
+        let is_head = |name: &String| name.eq_ignore_ascii_case("head");
+        let face;
+        let forward;
+        if let Some(head) = skeleton.name.iter().position(is_head) {
+            let rotation = skeleton.matrices(&pose)[head].matrix3;
+            let joint = skeleton.joints(&pose)[head].translation;
+            face = joint + rotation * DVec3::new(0.0, 0.06, 0.08);
+            forward = rotation * DVec3::Z;
+        } else {
+            let [min, max] = self.bounds.bounds(&Posed::new(avatar, &pose).joints);
+            face = DVec3::new((min.x + max.x) / 2.0, max.y - 0.15, (min.z + max.z) / 2.0);
+            forward = DVec3::Z;
+        }
+        Camera::look_at(face + FOREARM * forward, face, FOV, self.size)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use effigy_core::frame::RendererOptions;
+    use std::collections::BTreeSet;
+
+    const SIZE: [u32; 2] = [200, 240];
+
+    fn with_demo(frames: usize, test: impl Fn(BenchTask)) {
+        let avatar = effigy_demo::avatar().expect("inside the program");
+        let clip = effigy_demo::clip().expect("inside the program");
+        test(BenchTask {
+            avatar: &avatar,
+            clips: &[Player::new(clip, &avatar.skeleton)],
+            cameras: &[],
+            frames: Some(frames),
+            views: 4,
+            checked: 0,
+            flip: false,
+            spread: 0,
+        });
+    }
+
+    fn setting(size: [u32; 2], hold: usize) -> RenderSetting {
+        RenderSetting {
+            hold,
+            ..RenderSetting::new(RendererOptions::new(size))
+        }
+    }
+
+    fn scenes_of(
+        case: BenchCase,
+        task: &BenchTask,
+        size: [u32; 2],
+        hold: usize,
+    ) -> Vec<BenchScene> {
+        scenes(case, task, &setting(size, hold), false)
+    }
 
     #[test]
     fn cases_read_back_as_they_are_written() {
-        assert!(
-            BenchCase::ALL
-                .into_iter()
-                .all(|case| case.to_string().parse() == Ok(case))
-        );
-        assert!(
-            "fulll"
-                .parse::<BenchCase>()
-                .is_err_and(|error| error.contains("orbit"))
-        );
+        for &case in BenchCase::ALL {
+            assert_eq!(case.to_string().parse(), Ok(case));
+        }
+        let error = "fulll".parse::<BenchCase>();
+        assert!(error.is_err_and(|error| error.contains("orbit")));
+    }
+
+    #[test]
+    fn each_case_changes_only_what_it_names() {
+        with_demo(24, |task| {
+            // Whether joints, network input and camera change from each frame to the next.
+            let changes = |case| {
+                let scenes = scenes_of(case, &task, SIZE, 1);
+                let all = |same: fn(&BenchScene, &BenchScene) -> bool| {
+                    scenes.windows(2).all(|pair| !same(&pair[0], &pair[1]))
+                };
+                [
+                    all(|a, b| a.instances[0].drawn.joints == b.instances[0].drawn.joints),
+                    all(|a, b| a.instances[0].drawn.input == b.instances[0].drawn.input),
+                    all(|a, b| a.camera == b.camera),
+                ]
+            };
+            assert_eq!(changes(BenchCase::Full), [true; 3]);
+            assert_eq!(changes(BenchCase::Orbit), [true; 3]);
+            assert_eq!(changes(BenchCase::Flicker), [true; 3]);
+            assert_eq!(changes(BenchCase::Camera), [false, false, true]);
+            assert_eq!(changes(BenchCase::Zoom), [false, false, true]);
+            assert_eq!(changes(BenchCase::Expression), [false, true, false]);
+            let still = scenes_of(BenchCase::Static, &task, SIZE, 1);
+            let is_first = |scene: &BenchScene| {
+                scene.instances[0].drawn.joints == still[0].instances[0].drawn.joints
+                    && scene.instances[0].drawn.input == still[0].instances[0].drawn.input
+                    && scene.camera == still[0].camera
+            };
+            assert!(still.iter().all(is_first));
+        });
+    }
+
+    #[test]
+    fn far_avatars_and_close_faces_have_their_distance() {
+        with_demo(12, |task| {
+            let bounds = |scene: &BenchScene| {
+                let joints = &scene.instances[0].drawn.joints;
+                AvatarBounds::new(task.avatar).framing(joints).bounds
+            };
+            let height = |case, size| {
+                let scene = &scenes_of(case, &task, size, 1)[0];
+                let [min, max] = bounds(scene);
+                let middle = (min + max) / 2.0;
+                let at = |y| {
+                    let point = DVec3::new(middle.x, y, middle.z);
+                    let camera = &scene.camera;
+                    camera.project(camera.view.transform_point3(point)).y
+                };
+                at(min.y) - at(max.y)
+            };
+            // A crowd needs more room, and some of it stands nearer.
+            let of_the_crowd = height(BenchCase::Crowd, [2048; 2]);
+            assert!((45.0..65.0).contains(&of_the_crowd), "{of_the_crowd}");
+            let single = BenchCase::ALL.iter().filter(|case| case.instances() == 1);
+            for &case in single {
+                if let Some(tall) = case.tall().filter(|tall| *tall < 200.0) {
+                    let height = height(case, SIZE);
+                    assert!((height - tall).abs() < 2.0, "{case}: {height}");
+                }
+            }
+            assert!(height(BenchCase::Orbit, SIZE) > 120.0);
+            let zoom = scenes_of(BenchCase::Zoom, &task, SIZE, 1);
+            let distances: Vec<f64> = zoom
+                .iter()
+                .map(|scene| {
+                    let middle = bounds(scene).into_iter().sum::<DVec3>() / 2.0;
+                    scene.camera.eye().distance(middle)
+                })
+                .collect();
+            // 235 px at first, 20 at last, and each frame smaller than the last by one factor.
+            let ratio = (ZOOM_SHARE * 240.0 / 20.0).powf(1.0 / 11.0);
+            for pair in distances.windows(2) {
+                assert!((pair[1] / pair[0] - ratio).abs() < 1e-9, "{distances:?}");
+            }
+            let names = &task.avatar.skeleton.name;
+            let head = names
+                .iter()
+                .position(|name| name.eq_ignore_ascii_case("head"));
+            let head = head.expect("the demo has a head");
+            let script = Script::new(BenchCase::Close, &task, &setting(SIZE, 1), false);
+            for frame in 0..12 {
+                let scene = script.scene(frame);
+                let joint = task.avatar.skeleton.joints(&script.pose(frame, 0))[head].translation;
+                let view_space = scene.camera.view.transform_point3(joint);
+                let at = scene.camera.project(view_space);
+                assert!(
+                    (FOREARM..FOREARM + 0.2).contains(&view_space.z),
+                    "{view_space}"
+                );
+                assert!(
+                    (0.0..200.0).contains(&at.x) && (0.0..240.0).contains(&at.y),
+                    "{at}"
+                );
+            }
+        });
+    }
+
+    #[test]
+    fn a_pose_is_held_while_the_reference_moves_on() {
+        with_demo(24, |task| {
+            let scenes = scenes_of(BenchCase::Orbit, &task, SIZE, 3);
+            for (frame, scene) in scenes.iter().enumerate() {
+                let own = &scene.instances[0];
+                let held = &scenes[frame - frame % 3].instances[0].reference;
+                assert_eq!(own.drawn.joints, held.joints, "frame {frame}");
+                let is_now = own.drawn.joints == own.reference.joints;
+                assert_eq!(is_now, frame % 3 == 0, "frame {frame}");
+            }
+            let checks = checks(BenchCase::Orbit, 24, 2);
+            assert!(checks.iter().all(|frame| frame % 3 == 2), "{checks:?}");
+        });
+    }
+
+    #[test]
+    fn four_avatars_stand_apart_and_move_differently() {
+        with_demo(2 * TAKE, |task| {
+            let scenes = scenes_of(BenchCase::Four, &task, SIZE, 1);
+            let bounds = AvatarBounds::new(task.avatar);
+            let in_view = |scene: &BenchScene| {
+                let is_visible = |own: &&PosedInstance| {
+                    let visible = bounds.visible(&own.drawn.joints, &scene.camera);
+                    !visible.parts.is_empty()
+                };
+                scene.instances.iter().filter(is_visible).count()
+            };
+            let visible = [in_view(&scenes[0]), in_view(&scenes[TAKE])];
+            assert!(visible[0] < 4 && visible[1] == 4, "{visible:?}");
+            let stand = |instance: &PosedInstance| {
+                let bounds = bounds.bounds(&instance.drawn.joints);
+                bounds.into_iter().sum::<DVec3>() / 2.0
+            };
+            for pair in scenes[0].instances.windows(2) {
+                let apart = (stand(&pair[1]) - stand(&pair[0])).length();
+                assert!(
+                    apart > 0.4 && pair[0].drawn.input != pair[1].drawn.input,
+                    "{apart} m"
+                );
+            }
+        });
+    }
+
+    #[test]
+    fn given_cameras_are_used_in_turn() {
+        with_demo(5, |task| {
+            let camera = |k| Camera::orbit(DVec3::Y, f64::from(k), 0.0, 3.0, 0.5, SIZE);
+            let cameras = [camera(0), camera(1)];
+            let task = BenchTask {
+                cameras: &cameras,
+                ..task
+            };
+            let used = |case| {
+                let own = |scene: &BenchScene| cameras.iter().position(|own| *own == scene.camera);
+                let scenes = scenes_of(case, &task, SIZE, 1);
+                scenes.iter().map(own).collect::<Vec<_>>()
+            };
+            let in_turn = [Some(0), Some(1), Some(0), Some(1), Some(0)];
+            assert_eq!(used(BenchCase::Full), in_turn);
+            assert_eq!(used(BenchCase::Static), [Some(0); 5]);
+            assert_eq!(used(BenchCase::Close), [None; 5]);
+        });
+    }
+
+    #[test]
+    fn checked_frames_are_spread_and_show_every_view() {
+        let checked = checks(BenchCase::Full, 32, 4);
+        let views: BTreeSet<_> = checked.iter().map(|frame| frame % 4).collect();
+        assert_eq!(views.len(), 4);
+        for (frames, count) in [(1, 1), (3, 8), (32, 0), (10, 4), (5, 5)] {
+            for &case in BenchCase::ALL {
+                let checks = checks(case, frames, count);
+                assert_eq!(checks.len(), count.min(frames), "{frames} frames");
+                assert!(checks.is_sorted_by(|a, b| a < b), "{checks:?}");
+                assert!(checks.iter().all(|&check| check < frames), "{checks:?}");
+            }
+        }
     }
 }

@@ -1,5 +1,13 @@
-//! The report of a benchmark. [`BenchReport`] is the whole JSON file; the fields are its keys.
+//! The report of a benchmark. [`BenchReport`] is the whole JSON file; the fields are its keys. Its
+//! CSV and its comparison with another report are of the same rows.
 
+use super::case::{BenchCase, BenchTask};
+use crate::{
+    chart::{Axis, BLUE, Chart, ChartError, Corner, Line, Panel, RED, Style},
+    report::{ReadError, Setup, present_skip_names, read_report},
+    setting::RenderSetting,
+    table::{Comparison, TableRow},
+};
 pub use crate::{
     flicker::FlickerReport,
     report::{DeviceReport, ErrorReport, OptionsReport, Program, Subject},
@@ -32,6 +40,112 @@ pub struct BenchReport {
     pub spread: Option<SpreadReport>,
     /// The sweep, if there was one.
     pub sweep: Option<SweepReport>,
+}
+
+impl BenchReport {
+    /// A report without cases. `command` is the command line.
+    pub fn new(
+        device: DeviceReport,
+        task: &BenchTask,
+        setting: &RenderSetting,
+        command: Vec<String>,
+    ) -> Self {
+        Self {
+            schema: SCHEMA.to_owned(),
+            program: Program::current(command),
+            device,
+            avatar: Subject::new(task.avatar, &task.clips[0]),
+            size: setting.options.size,
+            options: OptionsReport::new(setting),
+            cases: Vec::new(),
+            spread: None,
+            sweep: None,
+        }
+    }
+
+    /// Reads a report's JSON.
+    ///
+    /// # Errors
+    /// When the text is something else.
+    pub fn read(text: &str) -> Result<Self, ReadError> {
+        let mut report: Self = read_report(text, SCHEMA)?;
+        let points = report.sweep.iter_mut().flat_map(|sweep| &mut sweep.points);
+        for point in points.filter(|point| point.parameter == "skip-but") {
+            point.value = present_skip_names(&point.value);
+        }
+        Ok(report)
+    }
+
+    fn setup(&self) -> Setup<'_> {
+        Setup {
+            device: &self.device,
+            avatar: &self.avatar,
+            size: self.size,
+            options: &self.options,
+        }
+    }
+
+    /// A row for each case, then for each of the sweep's points.
+    pub fn rows(&self) -> Vec<TableRow> {
+        let mut rows: Vec<_> = self.cases.iter().map(CaseReport::row).collect();
+        if let Some(sweep) = &self.sweep {
+            rows.extend(sweep.points.iter().map(|point| point.row(&sweep.case)));
+        }
+        rows
+    }
+
+    /// Every number of this report and of another.
+    pub fn compared_with(&self, other: &Self) -> Comparison {
+        let warnings = self.setup().differences(&other.setup());
+        Comparison::new(warnings, &self.rows(), &other.rows())
+    }
+}
+
+/// The chart of error and time against an avatar's height in the image, of the cases in which it has
+/// one: a line for each report by its name.
+///
+/// # Errors
+/// [`ChartError::Nothing`] if no case of any report has a height.
+pub fn size_chart(reports: &[(&str, &BenchReport)], title: String) -> Result<Chart, ChartError> {
+    let panel = |label: &str, value: fn(&CaseReport) -> Option<f64>| {
+        let line = |(at, (name, report)): (usize, &(&str, &BenchReport))| {
+            let point = |own: &CaseReport| {
+                let case: BenchCase = own.name.parse().ok()?;
+                let tall = case.tall().filter(|_| case.instances() == 1)?;
+                Some((tall.log2(), value(own).filter(|value| value.is_finite())?))
+            };
+            let mut points: Vec<_> = report.cases.iter().filter_map(point).collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            Line::new(*name, [BLUE, RED][at % 2], Style::Dotted, points)
+        };
+        let lines: Vec<Line> = reports.iter().enumerate().map(line).collect();
+        let points = lines.iter().flat_map(|line| &line.points);
+        let x = "height of the avatar in the image, px";
+        let x = Axis::around(x, points.clone().map(|point| point.0), 0.0, 0.2)?;
+        let top = points.map(|point| point.1).fold(0.0, f64::max);
+        Ok(Panel {
+            share: 0.5,
+            lines,
+            ..Panel::new(
+                x.written(|height| format!("{:.0}", height.exp2())),
+                Axis::new(label, [0.0, 1.08 * top]),
+            )
+        })
+    };
+    let errors = panel("PSNR over covered pixels, dB", |own| {
+        own.error.as_ref()?.psnr_db
+    })?;
+    Ok(Chart {
+        title,
+        size: [1000, 900],
+        panels: vec![
+            Panel {
+                legend: Some(Corner::LowerRight),
+                ..errors
+            },
+            panel("frame, ms", |own| Some(own.frame_ms.mean))?,
+        ],
+    })
 }
 
 /// Mean and percentiles of times, ms.
@@ -222,6 +336,86 @@ pub struct SweepPoint {
     pub on_front: bool,
 }
 
+impl CaseReport {
+    fn row(&self) -> TableRow {
+        let count = |count: Option<u64>| count.map(|count| count as f64);
+        let mut row = TableRow::new(&self.name, "", "");
+        row.add("frames", self.frames as f64);
+        row.add("frame_ms_mean", self.frame_ms.mean);
+        row.add("frame_ms_median", self.frame_ms.median);
+        row.add("frame_ms_p5", self.frame_ms.p5);
+        row.add("frame_ms_p95", self.frame_ms.p95);
+        row.add("frame_ms_p99", self.frame_ms.p99);
+        row.add("fps", self.fps);
+        row.add_known("gpu_ms_median", self.gpu_ms.map(|ms| ms.median));
+        row.add_known("gpu_ms_p95", self.gpu_ms.map(|ms| ms.p95));
+        for stage in &self.stages {
+            let name = |suffix: &str| format!("{}_{suffix}", stage.name);
+            row.add(name("ran"), stage.ran);
+            row.add_known(name("ms_median"), stage.ms.map(|ms| ms.median));
+            row.add_known(name("bytes"), count(stage.bytes));
+            row.add_known(name("bytes_floor"), count(stage.bytes_floor));
+            row.add_known(name("operations"), count(stage.operations));
+            row.add_known(name("operations_floor"), count(stage.operations_floor));
+        }
+        row.add_known("bytes", count(self.bytes));
+        row.add_known("bytes_floor", count(self.bytes_floor));
+        for (name, &value) in &self.counters {
+            row.add(name, value);
+        }
+        row.add_known("covered_pixels", self.covered_pixels);
+        row.add_known("fragments_a_pixel", self.fragments_a_pixel);
+        row.add_known("gpu_memory_bytes", count(self.gpu_memory_bytes));
+        row.add_known("gpu_memory_used_bytes", count(self.gpu_memory_used_bytes));
+        add_errors(&mut row, self.error.as_ref(), self.flicker.as_ref());
+        row
+    }
+}
+
+impl SweepPoint {
+    fn row(&self, case: &str) -> TableRow {
+        let mut row = TableRow::new(case, &self.parameter, &self.value);
+        row.add("frame_ms_measured", self.measured_ms);
+        row.add("time_ratio", self.time_ratio);
+        row.add("time_ratio_low", self.time_ratio_range[0]);
+        row.add("time_ratio_high", self.time_ratio_range[1]);
+        row.add("frame_ms", self.frame_ms);
+        row.add_known("gpu_ms_mean", self.gpu_ms);
+        for (name, &value) in &self.counters {
+            row.add(name, value);
+        }
+        add_errors(&mut row, Some(&self.error), self.flicker.as_ref());
+        row.add("on_front", f64::from(u8::from(self.on_front)));
+        row
+    }
+}
+
+fn add_errors(row: &mut TableRow, error: Option<&ErrorReport>, flicker: Option<&FlickerReport>) {
+    if let Some(error) = error.filter(|error| error.frames > 0) {
+        row.add("checked_frames", error.frames as f64);
+        row.add("psnr_db", error.psnr_db.unwrap_or(f64::INFINITY));
+        row.add("max_error", error.max_error);
+        row.add("within_tolerance", error.within_tolerance);
+        let psnr_db_whole = error.psnr_db_whole.unwrap_or(f64::INFINITY);
+        row.add("psnr_db_whole", psnr_db_whole);
+        row.add("max_error_whole", error.max_error_whole);
+        row.add_known("flip", error.flip);
+    }
+    for step in flicker.iter().flat_map(|flicker| &flicker.steps) {
+        for (name, residual) in [
+            ("flicker", step.drawn),
+            ("own_flicker", step.reference),
+            ("added_flicker", step.added),
+        ] {
+            let name = |of: &str| format!("{name}_{}_{of}", step.step);
+            row.add(name("mean"), residual.mean);
+            row.add(name("p999"), residual.p999);
+            row.add(name("max"), residual.max);
+            row.add_known(name("flip"), residual.flip);
+        }
+    }
+}
+
 /// The name of a stage, also from reports from before November 2026.
 fn stage_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
     let name = String::deserialize(deserializer)?;
@@ -252,52 +446,123 @@ fn counters<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<Strin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::table::Change;
+
+    /// A measured body, with a sweep.
+    fn report() -> BenchReport {
+        let mut report = BenchReport::read(crate::report::tests::MEASURED).expect("a report");
+        let case = &report.cases[0];
+        let point = SweepPoint {
+            parameter: "skip-but".into(),
+            value: "damage".into(),
+            measured_ms: 9.0,
+            time_ratio: 0.5,
+            time_ratio_range: [0.4, 0.6],
+            frame_ms: 8.0,
+            gpu_ms: None,
+            counters: case.counters.clone(),
+            error: case.error.expect("it was compared"),
+            flicker: None,
+            on_front: true,
+        };
+        report.sweep = Some(SweepReport {
+            case: "orbit".into(),
+            frames: 4,
+            rounds: 3,
+            points: vec![point],
+            failed: vec![],
+        });
+        report
+    }
 
     #[test]
     fn percentiles_of_0_to_100_are_those_numbers() {
-        let spread = TimingSummary::from_samples((0..=100).rev().map(f64::from).collect());
-        assert_eq!(
-            spread,
-            Some(TimingSummary {
-                mean: 50.0,
-                median: 50.0,
-                p5: 5.0,
-                p95: 95.0,
-                p99: 99.0
-            })
-        );
-        assert_eq!(
-            TimingSummary::from_samples(vec![7.0]).map(|spread| [
-                spread.mean,
-                spread.p5,
-                spread.p99
-            ]),
-            Some([7.0; 3])
-        );
+        let summary = TimingSummary::from_samples((0..=100).rev().map(f64::from).collect());
+        let expected = TimingSummary {
+            mean: 50.0,
+            median: 50.0,
+            p5: 5.0,
+            p95: 95.0,
+            p99: 99.0,
+        };
+        assert_eq!(summary, Some(expected));
         assert_eq!(TimingSummary::from_samples(vec![]), None);
     }
 
     #[test]
-    fn counters_of_old_reports_get_their_present_names() {
-        let old = serde_json::json!({ "area": 3.0, "drawn": 4.0, "kept": 1.0, "thinned": 2.0 });
-        let present = [
-            ("cached", 1.0),
-            ("damaged", 3.0),
-            ("drawn", 4.0),
-            ("skipped_by_detail", 2.0),
-        ];
-        assert_eq!(
-            counters(old).unwrap(),
-            present.map(|(name, mean)| (name.to_owned(), mean)).into()
-        );
+    fn a_report_reads_back_as_it_was_written() {
+        let text = serde_json::to_string_pretty(&report()).expect("plain numbers");
+        assert_eq!(BenchReport::read(&text).ok(), Some(report()));
     }
 
     #[test]
-    fn stages_of_old_reports_get_their_present_names() {
-        let name = |text: &str| stage_name(serde_json::Value::from(text)).unwrap();
-        assert_eq!(
-            ["features", "splats", "bins", "raster"].map(name),
-            ["mlp", "project", "binning", "raster"]
-        );
+    fn reports_with_old_names_read_as_the_new_ones() {
+        let mut new = report();
+        new.options.skip = "faint,saturated,damage".to_owned();
+        let counters = ["cached", "damaged", "drawn", "skipped_by_detail"];
+        new.cases[0].counters = counters.map(|name| (name.to_owned(), 3.0)).into();
+        let stages = ["mlp", "project", "binning", "raster"];
+        for (stage, name) in new.cases[0].stages.iter_mut().zip(stages) {
+            stage.name = name.to_owned();
+        }
+        let mut old = serde_json::json!(new);
+        old["options"]["skip"] = "faint,full,area".into();
+        old["cases"][0]["counters"] =
+            serde_json::json!({ "area": 3.0, "drawn": 3.0, "kept": 3.0, "thinned": 3.0 });
+        for (at, name) in ["features", "splats", "bins", "raster"].iter().enumerate() {
+            old["cases"][0]["stages"][at]["name"] = (*name).into();
+        }
+        let point = &mut old["sweep"]["points"][0];
+        point["value"] = "area".into();
+        point["knob"] = point["parameter"].take();
+        point.as_object_mut().expect("a point").remove("parameter");
+        assert_eq!(BenchReport::read(&old.to_string()).ok(), Some(new));
+    }
+
+    #[test]
+    fn cases_points_and_setups_are_compared() {
+        let a = report();
+        let same = a.compared_with(&a);
+        assert!(same.warnings.is_empty() && same.alone.is_empty());
+        let is_same = |change| matches!(change, Change::Ratio(1.0) | Change::Decibel(0.0));
+        assert!(same.lines.iter().all(|line| is_same(line.change())));
+        let titles: Vec<&str> = same.lines.iter().map(|line| line.title.as_str()).collect();
+        assert!(titles.contains(&"full") && titles.contains(&"orbit skip-but damage"));
+        let mut b = report();
+        b.device.name = "another".to_owned();
+        b.size = [64, 48];
+        b.avatar.gaussians = 11;
+        b.cases[0].frame_ms.median *= 1.5;
+        let compared = a.compared_with(&b);
+        let frame = compared
+            .lines
+            .iter()
+            .find(|own| own.name == "frame_ms_median");
+        let change = frame.map(|own| own.change());
+        assert!(matches!(change, Some(Change::Ratio(ratio)) if (ratio - 1.5).abs() < 1e-9));
+        assert_eq!(compared.warnings.len(), 3, "{:?}", compared.warnings);
+        let warnings = compared.warnings.join("\n");
+        for part in [
+            "against another",
+            "2048 × 2048 against 64 × 48",
+            "11 Gaussians",
+        ] {
+            assert!(warnings.contains(part), "{warnings}");
+        }
+    }
+
+    #[test]
+    fn a_chart_of_sizes_needs_a_case_with_a_height() {
+        let mut report = report();
+        let empty = size_chart(&[("a", &report)], String::new());
+        assert!(matches!(empty, Err(ChartError::Nothing)));
+        report.cases[0].name = "far".into();
+        report.cases[1].name = "far240".into();
+        let chart = size_chart(&[("first", &report), ("second", &report)], String::new());
+        let svg = chart
+            .and_then(|chart| chart.encoded("svg"))
+            .expect("it is drawn");
+        let svg = String::from_utf8_lossy(&svg);
+        assert!(svg.contains("first") && svg.contains("second") && svg.contains("frame, ms"));
     }
 }

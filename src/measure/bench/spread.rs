@@ -1,16 +1,15 @@
-//! The error over a spread of poses and views: an avatar, clips, cameras and a setting go in; the
-//! mean error, the worst view and where it is come out.
+//! The error over a spread of poses and views: a task and a setting go in; the mean error, the worst
+//! view and where it is come out.
 //!
 //! The reference takes seconds an image, so few frames can be compared with it, and what is wrong in
 //! one pose from one side is missed. Here a setting's images are compared with those that the same
-//! device draws with nothing skipped, many times as many in the same time; [`check`](super::check)
-//! compares a few with the reference itself.
+//! device draws with nothing skipped, many times as many in the same time;
+//! [`measure`](super::measure) compares a few with the reference itself.
 
 use super::{
-    backend::{BenchDevice, BenchRenderer, Result},
+    case::{BenchScene, BenchTask, PosedInstance},
+    frames::{BenchDevice, BenchRenderer, Progress, Result},
     report::{SpreadReport, ViewReport},
-    run::Progress,
-    scene::{BenchScene, PosedInstance},
 };
 use crate::{
     coverage::{self, SilhouetteCoverage},
@@ -19,7 +18,7 @@ use crate::{
     viewpoint::{FOV, PITCH, yaw_of_view},
 };
 use effigy_core::{
-    avatar::{Avatar, motion::Player},
+    avatar::motion::Player,
     frame::{RendererOptions, Skip},
     io::cameras,
     scene::{AvatarBounds, Camera, Framing, Posed},
@@ -31,21 +30,6 @@ const SIDE: u32 = 1024;
 /// a clip take turns.
 const DISTANCES: [f64; 3] = [1.0, 0.6, 0.3];
 
-/// Inputs of a spread.
-#[derive(Clone, Copy)]
-pub struct SpreadInputs<'a> {
-    /// The avatar, with all its rows.
-    pub avatar: &'a Avatar,
-    /// The clips that move it.
-    pub clips: &'a [Player],
-    /// Cameras, in place of those around the avatar; may be empty.
-    pub cameras: &'a [Camera],
-    /// Poses of each clip, from its start to its end.
-    pub poses: usize,
-    /// Views around the avatar of each pose.
-    pub views: usize,
-}
-
 /// One image of the spread.
 struct SpreadView<'a> {
     clip: &'a Player,
@@ -56,80 +40,67 @@ struct SpreadView<'a> {
     scene: BenchScene,
 }
 
-impl<'a> SpreadInputs<'a> {
-    /// All views, pose by pose. `size`: of the images, px.
-    fn views(&self, size: [u32; 2]) -> Vec<SpreadView<'a>> {
-        let bounds = AvatarBounds::new(self.avatar);
-        let mut views = Vec::new();
-        for clip in self.clips {
-            let poses = self.poses_of(clip);
-            for pose in 0..poses {
-                let seconds = clip.clip().duration() * pose as f64 / (poses.max(2) - 1) as f64;
-                let posed = Posed::new(self.avatar, &clip.pose(seconds));
-                let framed = bounds.framing(&posed.joints);
-                let cameras = self.cameras_of(pose, framed, size);
-                views.extend(
-                    cameras
-                        .into_iter()
-                        .enumerate()
-                        .map(|(view, camera)| SpreadView {
-                            clip,
-                            seconds,
-                            view,
-                            scene: BenchScene {
-                                instances: vec![PosedInstance {
-                                    drawn: posed.clone(),
-                                    reference: posed.clone(),
-                                }],
-                                camera,
-                            },
-                        }),
-                );
-            }
-        }
-        views
-    }
-
-    /// How many poses of a clip to draw: of one that stands still, no more than there are
-    /// distances.
-    fn poses_of(&self, clip: &Player) -> usize {
-        if clip.clip().duration() > 0.0 {
-            self.poses
-        } else if self.cameras.is_empty() {
-            self.poses.min(DISTANCES.len())
+/// All views, pose by pose. `size`: of the images, px.
+fn views<'a>(task: &BenchTask<'a>, size: [u32; 2]) -> Vec<SpreadView<'a>> {
+    let bounds = AvatarBounds::new(task.avatar);
+    let mut views = Vec::new();
+    for clip in task.clips {
+        // Of a clip that stands still, no more poses than there are distances.
+        let poses = if clip.clip().duration() > 0.0 {
+            task.spread
+        } else if task.cameras.is_empty() {
+            task.spread.min(DISTANCES.len())
         } else {
-            self.poses.min(1)
+            task.spread.min(1)
+        };
+        for pose in 0..poses {
+            let seconds = clip.clip().duration() * pose as f64 / (poses.max(2) - 1) as f64;
+            let posed = Posed::new(task.avatar, &clip.pose(seconds));
+            let framed = bounds.framing(&posed.joints);
+            let cameras = cameras_of(task, pose, framed, size).into_iter();
+            views.extend(cameras.enumerate().map(|(view, camera)| SpreadView {
+                clip,
+                seconds,
+                view,
+                scene: BenchScene {
+                    instances: vec![PosedInstance {
+                        drawn: posed.clone(),
+                        reference: posed.clone(),
+                    }],
+                    camera,
+                },
+            }));
         }
     }
-
-    /// The cameras of a pose. `framed`: the avatar in it.
-    fn cameras_of(&self, pose: usize, framed: Framing, size: [u32; 2]) -> Vec<Camera> {
-        if !self.cameras.is_empty() {
-            let scaled = |camera| cameras::scaled(camera, size);
-            return self.cameras.iter().map(scaled).collect();
-        }
-        let middle = framed.middle();
-        let distance =
-            DISTANCES[pose % DISTANCES.len()] * Camera::framing_distance(framed.bounds, FOV, size);
-        let yaw = |view| yaw_of_view(view, self.views);
-        (0..self.views)
-            .map(|view| Camera {
-                near: framed.near,
-                ..Camera::orbit(middle, yaw(view), PITCH, distance, FOV, size)
-            })
-            .collect()
-    }
+    views
 }
 
-/// Draws each view twice on a device, as `setting` says and with nothing skipped, full detail, keys
-/// of 32 bits or as many as the backend has, and all rows, and summarises how far the images differ. None if no view shows the
-/// avatar.
+/// The cameras of a pose. `framed`: the avatar in it.
+fn cameras_of(task: &BenchTask, pose: usize, framed: Framing, size: [u32; 2]) -> Vec<Camera> {
+    if !task.cameras.is_empty() {
+        let scaled = |camera| cameras::scaled(camera, size);
+        return task.cameras.iter().map(scaled).collect();
+    }
+    let middle = framed.middle();
+    let distance =
+        DISTANCES[pose % DISTANCES.len()] * Camera::framing_distance(framed.bounds, FOV, size);
+    let yaw = |view| yaw_of_view(view, task.views);
+    (0..task.views)
+        .map(|view| Camera {
+            near: framed.near,
+            ..Camera::orbit(middle, yaw(view), PITCH, distance, FOV, size)
+        })
+        .collect()
+}
+
+/// Draws each view twice on a device, as `setting` says and with nothing skipped, full detail and
+/// all rows, and summarises how far the images differ. None if no view shows the avatar.
 ///
 /// # Errors
 /// When the device fails.
 pub fn measure_spread(
     gpu: &BenchDevice,
-    inputs: &SpreadInputs,
+    task: &BenchTask,
     setting: &RenderSetting,
     progress: Progress,
 ) -> Result<Option<SpreadReport>> {
@@ -143,9 +114,9 @@ pub fn measure_spread(
         supersampling: drawn.supersampling,
         ..drawn.exactly()
     };
-    let mut renderer = BenchRenderer::new(gpu, &setting.reduce(inputs.avatar), drawn)?;
-    let mut exact_renderer = BenchRenderer::new(gpu, inputs.avatar, exact)?;
-    let views = inputs.views(size);
+    let mut renderer = BenchRenderer::new(gpu, &setting.reduce(task.avatar), drawn)?;
+    let mut exact_renderer = BenchRenderer::new(gpu, task.avatar, exact)?;
+    let views = views(task, size);
     let mut reports = Vec::new();
     for (done, view) in views.iter().enumerate() {
         progress("comparing poses and views", done, views.len());
@@ -252,14 +223,17 @@ mod tests {
         let avatar = effigy_demo::avatar().expect("inside the program");
         let clip = effigy_demo::clip().expect("inside the program");
         let clips = [Player::new(clip, &avatar.skeleton)];
-        let inputs = SpreadInputs {
+        let task = BenchTask {
             avatar: &avatar,
             clips: &clips,
             cameras: &[],
-            poses: 3,
+            frames: None,
             views: 2,
+            checked: 0,
+            flip: false,
+            spread: 3,
         };
-        let views = inputs.views([100, 120]);
+        let views = views(&task, [100, 120]);
         assert_eq!(views.len(), 6);
         assert_eq!(views[0].seconds, 0.0);
         assert_eq!(views[5].seconds, clips[0].clip().duration());

@@ -181,11 +181,11 @@ pub(super) mod tests {
         };
         SoakReport {
             schema: SCHEMA.to_owned(),
-            program: fixtures::program(),
-            device: fixtures::device(),
-            avatar: fixtures::subject(),
+            program: fixtures::part("program"),
+            device: fixtures::part("device"),
+            avatar: fixtures::part("avatar"),
             size: [640, 480],
-            options: fixtures::options(),
+            options: fixtures::part("options"),
             rate: 60.0,
             governed: true,
             simulated_heat: false,
@@ -232,7 +232,7 @@ pub(super) mod tests {
         assert_eq!(faults_after(|_| ()), "");
         assert!(faults_after(|r| r.broken_pixels = 3).contains("3 pixels of the 60 images"));
         assert!(faults_after(|r| r.empty_images = 1).contains("show nothing"));
-        assert!(faults_after(|r| r.broken_gaussians = Some(2)).contains("2 of 10 Gaussians"));
+        assert!(faults_after(|r| r.broken_gaussians = Some(2)).contains("2 of 200000 Gaussians"));
         let grown = faults_after(|r| {
             if let Some(growth) = &mut r.growth {
                 growth.resident_bytes = Some(3 << 20);

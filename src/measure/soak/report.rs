@@ -1,6 +1,12 @@
 //! The report of a soak. [`SoakReport`] is the whole JSON file; the fields are its keys.
 
-use crate::report::{DeviceReport, ErrorReport, OptionsReport, Program, Subject};
+use crate::{
+    report::{
+        DeviceReport, ErrorReport, OptionsReport, Program, ReadError, Setup, Subject, difference,
+        read_report,
+    },
+    table::{Comparison, TableRow},
+};
 use effigy_runtime::governor::{FrameQuality, Rung};
 use serde::{Deserialize, Serialize};
 
@@ -75,6 +81,88 @@ pub struct SoakReport {
     pub faults: Vec<String>,
     /// Every second of the run.
     pub each: Vec<Second>,
+}
+
+impl SoakReport {
+    /// Reads a report's JSON.
+    ///
+    /// # Errors
+    /// When the text is something else.
+    pub fn read(text: &str) -> Result<Self, ReadError> {
+        read_report(text, SCHEMA)
+    }
+
+    /// Every number of this report and of another, and a sentence for each fact that differs.
+    pub fn compared_with(&self, other: &Self) -> Comparison {
+        let setup = |report: &Self| {
+            let switch = |on: bool| if on { "on" } else { "off" }.to_owned();
+            [
+                ("promised rate", report.rate.to_string()),
+                ("governor", switch(report.governed)),
+                ("simulated heat", switch(report.simulated_heat)),
+            ]
+        };
+        let mut warnings = self.setup().differences(&other.setup());
+        for ((name, a), (_, b)) in setup(self).into_iter().zip(setup(other)) {
+            warnings.extend(difference(name, a, b));
+        }
+        Comparison::new(warnings, &[self.row()], &[other.row()])
+    }
+
+    fn setup(&self) -> Setup<'_> {
+        Setup {
+            device: &self.device,
+            avatar: &self.avatar,
+            size: self.size,
+            options: &self.options,
+        }
+    }
+
+    /// The numbers of the whole run; those that were not measured are unknown.
+    fn row(&self) -> TableRow {
+        let seconds = &self.each;
+        let known = |get: fn(&Second) -> Option<f64>| seconds.iter().filter_map(get);
+        let mean = |get: fn(&Second) -> Option<f64>| {
+            let count = known(get).count();
+            (count > 0).then(|| known(get).sum::<f64>() / count as f64)
+        };
+        let largest = |get: fn(&Second) -> Option<f64>| known(get).reduce(f64::max);
+        let smallest = |get: fn(&Second) -> Option<f64>| known(get).reduce(f64::min);
+        let psnr_db = |get: fn(&Drift) -> Option<f64>| self.drift.as_ref().and_then(get);
+        let gained = self.growth.and_then(|growth| growth.resident_bytes);
+        let cells = [
+            ("minutes", Some(self.lasted_seconds / 60.0)),
+            ("fps", Some(self.fps)),
+            ("fps_lowest_second", smallest(|s| Some(s.fps))),
+            ("frame_ms_p50_mean", mean(|s| Some(s.frame_ms_p50))),
+            ("frame_ms_p99_largest", largest(|s| Some(s.frame_ms_p99))),
+            ("busy_ms_mean", mean(|s| s.busy_ms)),
+            ("frames", Some(self.frames as f64)),
+            ("late", Some(self.late as f64)),
+            ("dropped", Some(self.dropped as f64)),
+            ("dropped_share", Some(self.dropped_share)),
+            ("governor_changes", Some(self.changes as f64)),
+            ("governor_step_mean", mean(|s| Some(s.rung as f64))),
+            ("headroom_largest", largest(|s| s.headroom)),
+            ("celsius_largest", largest(|s| s.celsius)),
+            ("watts_mean", mean(|s| s.watts)),
+            (
+                "device_bytes_largest",
+                largest(|s| Some(s.device_bytes as f64)),
+            ),
+            (
+                "resident_bytes_largest",
+                largest(|s| s.resident_bytes.map(|bytes| bytes as f64)),
+            ),
+            ("resident_bytes_gained", gained.map(|bytes| bytes as f64)),
+            ("psnr_db_before", psnr_db(|drift| drift.before.psnr_db)),
+            ("psnr_db_after", psnr_db(|drift| drift.after.psnr_db)),
+            ("faults", Some(self.faults.len() as f64)),
+        ];
+        let mut row = TableRow::new("", "", "");
+        row.cells = cells.map(|(name, value)| (name.to_owned(), value)).into();
+        row
+    }
 }
 
 /// A rung of the ladder.
@@ -194,4 +282,45 @@ pub struct Second {
     pub device_bytes: u64,
     /// Resident memory of the process.
     pub resident_bytes: Option<u64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::soak::faults::tests::report;
+
+    #[test]
+    fn numbers_are_paired_and_differences_named() {
+        let a = report();
+        let mut b = report();
+        assert_eq!(a.compared_with(&b).warnings, Vec::<String>::new());
+        b.rate = 30.0;
+        b.fps = 30.0;
+        b.governed = false;
+        let compared = a.compared_with(&b);
+        let fps = compared.lines.iter().find(|line| line.name == "fps");
+        let values = fps.map(|line| line.values);
+        assert_eq!(values, Some([Some(60.0), Some(30.0)]));
+        assert_eq!(
+            compared.warnings,
+            [
+                "the promised rate differs: 60 against 30",
+                "the governor differs: on against off"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_report_reads_back_as_it_was_written_and_under_its_old_names() {
+        let text = serde_json::to_string(&report()).expect("plain numbers");
+        assert_eq!(SoakReport::read(&text).ok(), Some(report()));
+        let old = text
+            .replace("\"images\"", "\"pictures\"")
+            .replace("\"empty_images\"", "\"empty_pictures\"");
+        assert!(old != text);
+        assert_eq!(SoakReport::read(&old).ok(), Some(report()));
+        let error = SoakReport::read(r#"{"schema": "effigy-bench-2"}"#);
+        let error = error.expect_err("it is not a soak's");
+        assert!(error.to_string().contains("effigy-bench-2"));
+    }
 }

@@ -373,7 +373,7 @@ fn a_soak_in_the_window_writes_its_files_and_ends() {
     ];
     let mut session = start(&arguments);
     let text = std::fs::read_to_string(session.wait_for_line("wrote ")).unwrap();
-    let report = effigy_measure::soak::compare::read(&text).unwrap();
+    let report = effigy_measure::soak::SoakReport::read(&text).unwrap();
     assert!(
         report.governed
             && report.rate == 1.0
@@ -410,7 +410,7 @@ fn a_soak_whose_window_is_closed_keeps_its_results() {
     session.key('q');
     let text = session.wait_for_file("effigy-soak.json");
     session.wait_for_text("soak: interrupted after");
-    let report = effigy_measure::soak::compare::read(&text).unwrap();
+    let report = effigy_measure::soak::SoakReport::read(&text).unwrap();
     assert!(
         report.frames > 0
             && report.lasted_seconds < report.planned_seconds
