@@ -10,8 +10,8 @@ use effigy_perceptual::PerceptualError;
 
 /// Smallest side of a view, px.
 pub(crate) const LEAST_SIDE: u32 = 32;
-/// Views without anybody at the start of a training that are too many.
-pub(crate) const BLIND: u64 = 16;
+/// Views without a visible Gaussian at the start of a training, at most.
+pub(crate) const MAX_EMPTY_VIEWS: u64 = 16;
 
 /// Why a training ended early.
 #[derive(Debug, thiserror::Error)]
@@ -111,7 +111,7 @@ pub enum TrainError {
     LoaderEnded,
     /// No Gaussian is in the views of the first steps.
     #[error(
-        "no Gaussian is in view of camera {camera} in frame {frame}, nor in the {BLIND} views before"
+        "no Gaussian is in view of camera {camera} in frame {frame}, nor in the {MAX_EMPTY_VIEWS} views before"
     )]
     NothingSeen {
         /// The camera's name.

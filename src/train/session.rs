@@ -3,7 +3,7 @@
 use crate::adam::{Adam, Rates};
 use crate::checkpoint::{Checkpoint, remove_parts};
 use crate::data::{Looked, Shot, Views, distinct_shots, training_shots};
-use crate::error::{BLIND, LEAST_SIDE, TrainError};
+use crate::error::{LEAST_SIDE, MAX_EMPTY_VIEWS, TrainError};
 use crate::exposure::Exposure;
 use crate::gpu::{StepOptions, Trainer, TrainerState, memory_bytes};
 use crate::lock::Lock;
@@ -43,19 +43,19 @@ pub const RECIPE: &str = "recipe.toml";
 /// The poses that were learned, as a clip.
 pub const POSES: &str = "poses.motion";
 
-/// How long pictures are waited for before it is looked whether to stop.
+/// Longest wait for pictures before `stop` is checked again.
 const STOPS_WITHIN: Duration = Duration::from_millis(100);
 
-/// What a training needs besides its recipe.
+/// Options of a training besides its recipe.
 pub struct SessionOptions {
     /// The training's own folder: checkpoints, log, recipe.
     pub folder: PathBuf,
-    /// Goes on with what the folder has; begins where it has nothing.
+    /// Resumes the folder's training, if it has one.
     pub resume: bool,
-    /// Ends when the training has taken so long in all, whatever the recipe says of steps.
+    /// Ends when the training has taken so long in all, whatever the recipe's steps.
     pub minutes: Option<f64>,
-    /// Checks first that every input moves some pixel and some derivative ([`preflight::check`]), but
-    /// not where it goes on.
+    /// Checks first that every input moves some pixel and some derivative ([`preflight::check`]),
+    /// unless it resumes.
     pub check: bool,
     /// From one checkpoint to the next.
     pub checkpoint_every: Duration,
@@ -63,7 +63,7 @@ pub struct SessionOptions {
     pub log_every: u64,
     /// Where the weights of the perceptual loss are.
     pub perceptual_weights: PathBuf,
-    /// Hears where the training stands.
+    /// Kept up to date by the training.
     pub standing: Arc<Standing>,
     /// Name of the avatar.
     pub name: String,
@@ -71,19 +71,19 @@ pub struct SessionOptions {
     pub credit: String,
 }
 
-/// Where a training stands, for whoever ends the program at any time.
+/// The state of a training, readable by what may end the program at any time.
 #[derive(Default)]
 pub struct Standing {
     /// Steps so far; 0 while it is not known yet.
     pub steps: AtomicU64,
-    /// Whether there is something that no checkpoint has.
+    /// Whether something was learned since the last checkpoint.
     pub is_unsaved: Arc<AtomicBool>,
     /// The folder's lock, once it is taken.
     lock: OnceLock<File>,
 }
 
 impl Standing {
-    /// Gives the folder back, before the program ends without further ado.
+    /// Releases the folder's lock, before the program ends without dropping the session.
     pub fn leave(&self) {
         if let Some(lock) = self.lock.get() {
             lock.set_len(0).ok();
@@ -91,18 +91,18 @@ impl Standing {
     }
 }
 
-/// What a training is about to ask of the device.
+/// What a training is about to do, and the memory for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plan {
-    /// Pictures that it learns from.
+    /// Number of pictures that it learns from.
     pub pictures: usize,
     /// Width and height of every view, px.
     pub view_size: [u32; 2],
     /// Device memory, bytes.
     pub memory_bytes: u64,
-    /// Steps that were taken before.
+    /// Steps taken before.
     pub steps: u64,
-    /// Whether it is checked first.
+    /// Whether [`preflight::check`] runs first.
     pub check: bool,
 }
 
@@ -123,7 +123,7 @@ pub struct Session {
     start: Avatar,
     topology: Topology,
     rows: Rows,
-    /// None where pruning found no room for its successor: the session has ended then.
+    /// None after pruning ran out of device memory, which ends the session.
     trainer: Option<Trainer>,
     /// Steps when it ended so.
     ended_at: u64,
@@ -134,8 +134,8 @@ pub struct Session {
     refinement: Refinement,
     pruned: bool,
     place: u64,
-    /// Views without anybody, as long as there was no other.
-    blind: Option<u64>,
+    /// Views so far in which no Gaussian was visible; None after the first with one.
+    empty_views: Option<u64>,
     /// Seconds before this session.
     seconds: f64,
     begun: Instant,
@@ -143,12 +143,11 @@ pub struct Session {
 }
 
 impl Session {
-    /// Begins a training, or goes on with one. `announce` hears what it will ask of the device
-    /// before it does.
+    /// Begins a training, or resumes one. `announce` gets the plan before the device is used.
     ///
     /// # Errors
-    /// When the folder is taken or has a training that is not to be gone on with, the device is not
-    /// for training, or a file can't be read or written.
+    /// When the folder is taken or has a training that is not to be resumed, the device is not
+    /// suitable, or a file can't be read or written.
     pub fn new(
         gpu: &Arc<Gpu>,
         capture: &Arc<Capture>,
@@ -156,138 +155,35 @@ impl Session {
         options: SessionOptions,
         announce: impl FnOnce(&Plan),
     ) -> Result<Self, TrainError> {
-        let folder = &options.folder;
-        fs::create_dir_all(folder).map_err(|cause| FileError::Write {
-            file: folder.clone(),
-            cause,
-        })?;
-        let lock = Lock::take(folder)?;
-        if let Ok(file) = lock.file() {
-            options.standing.lock.get_or_init(|| file);
-        }
-        let found = Checkpoint::last(folder).map_err(|cause| FileError::Read {
-            file: folder.clone(),
-            cause,
-        })?;
-        remove_parts(folder).map_err(|cause| FileError::Write {
-            file: folder.clone(),
-            cause,
-        })?;
-        for broken in &found.broken {
-            tracing::warn!("{}: {}", broken.path.display(), broken.error);
-            if found.checkpoint.is_none() {
-                return Err(TrainError::Broken {
-                    file: broken.path.display().to_string(),
-                    fault: broken.error.clone(),
-                });
-            }
-            broken.set_aside().map_err(|cause| FileError::Write {
-                file: broken.path.clone(),
-                cause,
-            })?;
-        }
-        if let Some(checkpoint) = &found.checkpoint {
-            if !options.resume {
-                return Err(TrainError::Begun {
-                    folder: folder.display().to_string(),
-                    steps: checkpoint.state.steps,
-                });
-            }
-            let other_time = checkpoint.minutes != options.minutes;
-            if other_time || Recipe::parse(&checkpoint.recipe).as_ref() != Ok(recipe) {
-                return Err(TrainError::OtherRecipe {
-                    folder: folder.display().to_string(),
-                });
-            }
-        }
+        let setup = Setup {
+            capture,
+            recipe,
+            options: &options,
+        };
+        let (lock, last) = setup.open_folder()?;
         if training_shots(capture).is_empty() {
             return Err(TrainError::NothingToLearn);
         }
-        let start_file = folder.join(START);
-        let start = if found.checkpoint.is_some() && start_file.exists() {
-            let avatar = Avatar::read(&start_file)?;
-            check_same(folder, &avatar, capture)?;
-            avatar
-        } else {
-            let poses = training_poses(capture);
-            let mut avatar = start(
-                &capture.template,
-                &poses,
-                &recipe.sizes,
-                recipe.filter,
-                recipe.seed,
-            );
-            avatar.name.clone_from(&options.name);
-            avatar.credit.clone_from(&options.credit);
-            avatar.write(&start_file)?;
-            replace(&folder.join(RECIPE), recipe.text().as_bytes())?;
-            // As the file holds it, so that a training that goes on has the same numbers.
-            Avatar::read(&start_file)?
-        };
-        let learned = distinct_shots(capture, &start, recipe.data.duplicate);
-        let of_shots =
-            |shots, size| Views::new(capture, &start, shots, &recipe.data, recipe.seed, size);
-        let views = Arc::new(of_shots(learned, None));
-        if views.size().iter().any(|&side| side < LEAST_SIDE) {
-            return Err(TrainError::SmallViews { size: views.size() });
-        }
-        if start.inputs.len() > TRAIN_WIDTH_MAX as usize {
-            return Err(TrainError::Inputs {
-                found: start.inputs.len(),
-            });
-        }
-        let watched_shots = watched_shots(capture, views.size());
-        let watched = Watched::new(of_shots(watched_shots, Some(views.size())));
+        let start = setup.start(last.is_some())?;
+        let (views, watched) = setup.views(&start)?;
         let topology = Topology::new(&start);
         let asked = AskedLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
-        let check = options.check && found.checkpoint.is_none();
-        let stands = match found.checkpoint {
-            Some(checkpoint) => checkpoint,
-            None => {
-                let rows = Rows::all(start.gaussians.len());
-                let layout = Layout::new(&topology, &rows);
-                let parameters = Parameters::of(&start, &layout);
-                Checkpoint {
-                    state: TrainerState::new(&layout, parameters),
-                    rows,
-                    pruned: false,
-                    place: 0,
-                    exposure: Exposure::new(capture.cameras.len()),
-                    refinement: Refinement::new(capture),
-                    seconds: 0.0,
-                    data: views.name(),
-                    minutes: options.minutes,
-                    recipe: recipe.text(),
-                }
-            }
-        };
-        let expected = Layout::new(&topology, &stands.rows).lengths();
-        let numbers = stands.state.parameters.arrays().map(<[f32]>::len);
-        if numbers != expected
-            || stands.data != views.name()
-            || stands.exposure.cameras() != capture.cameras.len()
-            || !stands.refinement.fits(&Refinement::new(capture))
-        {
-            return Err(TrainError::OtherCapture {
-                folder: folder.display().to_string(),
-                found: format!("{} Gaussians, and {}", start.gaussians.len(), stands.data),
-                expected: views.name(),
-            });
-        }
+        let check = options.check && last.is_none();
+        let checkpoint = last.unwrap_or_else(|| setup.first(&start, &topology, &views));
+        setup.expect_same_capture(&checkpoint, &topology, &views)?;
         let batch = recipe.schedule.batch;
-        let steps = &options.standing.steps;
-        steps.store(stands.state.steps, Ordering::SeqCst);
+        let steps = checkpoint.state.steps;
+        options.standing.steps.store(steps, Ordering::SeqCst);
         announce(&Plan {
             pictures: views.len(),
             view_size: views.size(),
-            memory_bytes: memory_bytes(&topology, &stands.rows, views.size(), batch),
-            steps: stands.state.steps,
+            memory_bytes: memory_bytes(&topology, &checkpoint.rows, views.size(), batch),
+            steps,
             check,
         });
         if check {
-            let began = Instant::now();
-            // Its memory is free again before the training's is asked for.
-            let found = preflight::check(&Subject {
+            // Its memory is free again before the training's is allocated.
+            preflight(&Subject {
                 gpu,
                 capture,
                 recipe,
@@ -297,50 +193,34 @@ impl Session {
                 asked: asked.as_ref(),
                 patience: preflight::PATIENCE,
             })?;
-            tracing::info!("checked in {:.1} s", began.elapsed().as_secs_f64());
-            for warning in &found.warnings {
-                tracing::warn!("{warning}");
-            }
-            if !found.faults.is_empty() {
-                return Err(TrainError::Idle {
-                    faults: found.faults,
-                });
-            }
         }
-        let trainer = Trainer::new(
-            gpu,
-            &topology,
-            &stands.rows,
-            &stands.state,
-            views.size(),
-            batch,
-        )?;
-        let session = Self {
+        let (state, rows) = (&checkpoint.state, &checkpoint.rows);
+        let trainer = Trainer::new(gpu, &topology, rows, state, views.size(), batch)?;
+        for name in [log::LOG, watch::LOG] {
+            log::cut(&options.folder, name, steps)?;
+        }
+        Ok(Self {
             gpu: gpu.clone(),
             capture: capture.clone(),
             recipe: recipe.clone(),
             options,
             start,
             topology,
-            rows: stands.rows,
+            rows: checkpoint.rows,
             trainer: Some(trainer),
             ended_at: 0,
             views,
             watched,
             asked,
-            exposure: stands.exposure,
-            refinement: stands.refinement,
-            pruned: stands.pruned,
-            place: stands.place,
-            blind: Some(0),
-            seconds: stands.seconds,
+            exposure: checkpoint.exposure,
+            refinement: checkpoint.refinement,
+            pruned: checkpoint.pruned,
+            place: checkpoint.place,
+            empty_views: Some(0),
+            seconds: checkpoint.seconds,
             begun: Instant::now(),
             _lock: lock,
-        };
-        for name in [log::LOG, watch::LOG] {
-            log::cut(&session.options.folder, name, session.steps())?;
-        }
-        Ok(session)
+        })
     }
 
     fn trainer(&self) -> Result<&Trainer, TrainError> {
@@ -379,11 +259,10 @@ impl Session {
         Ok(avatar)
     }
 
-    /// Trains until it is done or `stop` is set. `report` hears of the progress, and may look at
-    /// the training.
+    /// Trains until it is done or `stop` is set. `report` gets the progress, and the training.
     ///
     /// # Errors
-    /// When the device, a file or the disk fails, or a loss is no number. The last checkpoint is
+    /// When the device, a file or the disk fails, or a loss is not finite. The last checkpoint is
     /// whole, whatever happens.
     pub fn run(
         &mut self,
@@ -395,7 +274,7 @@ impl Session {
         let views = self.views.clone();
         let first = self.place;
         thread::scope(|scope| {
-            // Ahead by a few steps; ends when nobody listens any more.
+            // Ahead by a few steps; ends when the receiver is dropped.
             let (send, coming) = sync_channel(4);
             scope.spawn(move || {
                 for at in (first..).step_by(batch as usize) {
@@ -477,15 +356,15 @@ impl Session {
             let clip = self.refinement.clip(&self.capture, &self.options.name);
             clip.write(&self.options.folder.join(POSES))?;
         }
-        // The avatar does not depend on what is only looked at.
+        // The avatar does not depend on the watched views.
         if let Err(error) = self.watch().and_then(|()| self.chart()) {
             tracing::warn!("{error}");
         }
         Ok(Outcome::Done(Box::new(avatar)))
     }
 
-    /// Looks at views that are not learned from: their PSNR goes into a log of its own, and an
-    /// image of them beside their pictures.
+    /// Draws the watched views: their PSNR goes into a log of its own, and an image of them beside
+    /// their pictures.
     fn watch(&mut self) -> Result<(), TrainError> {
         let options = StepOptions {
             weights: self.recipe.loss,
@@ -533,6 +412,7 @@ impl Session {
         let views = &views[..];
         let before = self.before_pruning(share);
         let refine = recipe.rates.refine_at(share);
+        let exposure_rate = recipe.rates.exposure * recipe.rates.end.powf(share);
         let options = StepOptions {
             weights: if self.pruned {
                 recipe.loss.without_correctives()
@@ -552,11 +432,12 @@ impl Session {
             Some(asked) if asks => {
                 let place = self.place;
                 let mut value = 0.0;
-                let found = trainer.step_asking(views, &options, stop, |number, image| {
-                    let said = asked.ask(&views[number], place + number as u64, image)?;
-                    value += said.value / views.len() as f64;
-                    Some(said.gradient)
-                })?;
+                let found =
+                    trainer.step_with_image_loss(views, &options, stop, |number, image| {
+                        let said = asked.ask(&views[number], place + number as u64, image)?;
+                        value += said.value / views.len() as f64;
+                        Some(said.gradient)
+                    })?;
                 let Some(found) = found else {
                     return Ok(false);
                 };
@@ -565,27 +446,18 @@ impl Session {
             }
             _ => trainer.step(views, &options)?,
         };
-        self.blind = match self.blind {
-            Some(blind) if found.empty_views as usize == views.len() => {
-                Some(blind + views.len() as u64)
-            }
-            _ => None,
-        };
-        if self.blind.is_some_and(|blind| blind > BLIND) {
-            return Err(self.nothing_seen(shots[0]));
-        }
+        self.count_empty_views(found.empty_views as usize, &shots)?;
         if !found.l1.is_finite() {
             return Err(TrainError::NotFinite {
                 step,
                 loss: found.l1,
             });
         }
-        let rate = recipe.rates.exposure * recipe.rates.end.powf(share);
-        if rate > 0.0 {
+        if exposure_rate > 0.0 {
             for (number, shot) in shots.iter().enumerate() {
                 let gradient = self.trainer_mut()?.gain_gradient(number);
                 self.exposure
-                    .learn(shot.camera, gradient, rate, &options.adam);
+                    .learn(shot.camera, gradient, exposure_rate, &options.adam);
             }
             self.exposure.center();
         }
@@ -597,7 +469,25 @@ impl Session {
         Ok(true)
     }
 
-    /// A view with what is known by now of its pose, its camera and the person's bones.
+    /// Counts views in which no Gaussian was visible, until there was one; too many are an error.
+    fn count_empty_views(&mut self, empty: usize, shots: &[Shot]) -> Result<(), TrainError> {
+        self.empty_views = match self.empty_views {
+            Some(before) if empty == shots.len() => Some(before + empty as u64),
+            _ => None,
+        };
+        if self
+            .empty_views
+            .is_some_and(|empty| empty > MAX_EMPTY_VIEWS)
+        {
+            return Err(TrainError::NothingSeen {
+                camera: self.capture.cameras[shots[0].camera].name.clone(),
+                frame: self.capture.frames[shots[0].frame].number,
+            });
+        }
+        Ok(())
+    }
+
+    /// A view with the refined pose, camera and bones.
     fn refined(&self, looked: Looked) -> View {
         let Looked { view, shot } = looked;
         let mut view = View {
@@ -616,12 +506,12 @@ impl Session {
         view
     }
 
-    /// The person's skeleton, as it is known by now.
+    /// The person's refined skeleton.
     fn skeleton(&self) -> Skeleton {
         self.refinement.skeleton(&self.start.skeleton)
     }
 
-    /// The pose of a frame, as it is known by now.
+    /// The refined pose of a frame.
     fn pose(&self, frame: usize) -> Pose {
         self.refinement
             .pose(frame, &self.capture.frames[frame].pose)
@@ -682,7 +572,7 @@ impl Session {
         Ok(())
     }
 
-    /// Poses of frames that are not held out, as they are known by now.
+    /// Refined poses of frames that are not held out.
     fn poses(&self) -> Vec<Pose> {
         let own = self.capture.frames.iter().enumerate();
         own.filter(|(_, frame)| !frame.held)
@@ -690,29 +580,28 @@ impl Session {
             .collect()
     }
 
-    /// How far joints are turned from what the capture says, the mean and the most, radians. None
-    /// where poses did not learn.
+    /// Mean and largest angle of joints to the capture's, radians. None where poses did not learn.
     pub fn turned_joints(&self) -> Option<[f64; 2]> {
         self.refinement.turned_from(&self.capture)
     }
 
-    /// How far joints are in their parents from where the body model has them, the mean and the most,
-    /// metres. None where bones did not learn.
+    /// Mean and largest distance of joints, in their parents, to the body model's, metres. None where
+    /// bones did not learn.
     pub fn moved_bones(&self) -> Option<[f64; 2]> {
         self.refinement.bones_moved()
     }
 
-    /// Whether correctives learn when a share of the training is over.
+    /// Whether correctives learn at a share of the training.
     fn corrects(&self, share: f64) -> bool {
         self.pruned || self.before_pruning(share) >= self.recipe.schedule.neutral_share
     }
 
-    /// How much of what goes before pruning is over when a share of the training is.
+    /// The share of the steps before pruning at a share of the training.
     fn before_pruning(&self, share: f64) -> f64 {
         share / self.pruning_share().max(1e-9)
     }
 
-    /// How much of the training is over, 0 to 1.
+    /// The share of the training that is over, 0 to 1.
     fn share(&self) -> f64 {
         match self.options.minutes {
             Some(minutes) => self.elapsed() / (60.0 * minutes),
@@ -720,7 +609,7 @@ impl Session {
         }
     }
 
-    /// How much of it is over when rows are pruned.
+    /// The share of the training at which rows are pruned.
     fn pruning_share(&self) -> f64 {
         self.recipe.schedule.iterations as f64 / self.recipe.steps() as f64
     }
@@ -730,7 +619,7 @@ impl Session {
         self.seconds + self.begun.elapsed().as_secs_f64()
     }
 
-    /// Leaves out the basis rows that are worth least, moments included.
+    /// Removes the basis rows that are worth least, and their moments.
     fn prune(&mut self) -> Result<(), TrainError> {
         let state = self.save()?;
         let layout = Layout::new(&self.topology, &self.rows);
@@ -768,8 +657,8 @@ impl Session {
             second_moments: keep(&state.second_moments),
             ..state
         };
-        // Its memory is free before that of its successor is asked for. Should that fail, the
-        // checkpoint goes on from here.
+        // Its memory is free before that of its successor is allocated. If that fails, the training
+        // resumes from the checkpoint.
         self.ended_at = self.steps();
         self.trainer = None;
         self.trainer = Some(Trainer::new(
@@ -785,7 +674,7 @@ impl Session {
         Ok(())
     }
 
-    /// How much pictures depend on each Gaussian's attributes, from some that are evenly spaced.
+    /// How much pictures depend on each Gaussian's attributes, over some evenly spaced pictures.
     fn sensitivity(&mut self) -> Result<Sensitivity, TrainError> {
         let count = self.recipe.prune.pictures.min(self.views.len());
         let mut found = Sensitivity::new(self.topology.gaussians.len());
@@ -800,7 +689,7 @@ impl Session {
         Ok(found)
     }
 
-    /// Writes a checkpoint, and says what it has of the trainer.
+    /// Writes a checkpoint, and returns the trainer's state in it.
     fn save(&self) -> Result<TrainerState, TrainError> {
         let state = self.trainer()?.state()?;
         let all = [
@@ -838,31 +727,191 @@ impl Session {
         is_unsaved.store(false, Ordering::SeqCst);
         Ok(checkpoint.state)
     }
+}
 
-    fn nothing_seen(&self, shot: Shot) -> TrainError {
-        TrainError::NothingSeen {
-            camera: self.capture.cameras[shot.camera].name.clone(),
-            frame: self.capture.frames[shot.frame].number,
+/// What a session is set up from.
+struct Setup<'a> {
+    capture: &'a Arc<Capture>,
+    recipe: &'a Recipe,
+    options: &'a SessionOptions,
+}
+
+impl Setup<'_> {
+    fn folder_name(&self) -> String {
+        self.options.folder.display().to_string()
+    }
+
+    /// Locks the training's folder and reads its last checkpoint. Later ones, which are broken, are
+    /// set aside.
+    fn open_folder(&self) -> Result<(Lock, Option<Checkpoint>), TrainError> {
+        let folder = &self.options.folder;
+        let unwritable = |file: &Path, cause| FileError::Write {
+            file: file.into(),
+            cause,
+        };
+        fs::create_dir_all(folder).map_err(|cause| unwritable(folder, cause))?;
+        let lock = Lock::take(folder)?;
+        if let Ok(file) = lock.file() {
+            self.options.standing.lock.get_or_init(|| file);
+        }
+        let found = Checkpoint::last(folder).map_err(|cause| FileError::Read {
+            file: folder.clone(),
+            cause,
+        })?;
+        remove_parts(folder).map_err(|cause| unwritable(folder, cause))?;
+        for broken in &found.broken {
+            tracing::warn!("{}: {}", broken.path.display(), broken.error);
+            if found.checkpoint.is_none() {
+                return Err(TrainError::Broken {
+                    file: broken.path.display().to_string(),
+                    fault: broken.error.clone(),
+                });
+            }
+            broken
+                .set_aside()
+                .map_err(|cause| unwritable(&broken.path, cause))?;
+        }
+        if let Some(checkpoint) = &found.checkpoint {
+            self.expect_resumable(checkpoint)?;
+        }
+        Ok((lock, found.checkpoint))
+    }
+
+    /// Checks that a checkpoint may be resumed, and with the same recipe.
+    fn expect_resumable(&self, checkpoint: &Checkpoint) -> Result<(), TrainError> {
+        if !self.options.resume {
+            return Err(TrainError::Begun {
+                folder: self.folder_name(),
+                steps: checkpoint.state.steps,
+            });
+        }
+        let other_time = checkpoint.minutes != self.options.minutes;
+        if other_time || Recipe::parse(&checkpoint.recipe).as_ref() != Ok(self.recipe) {
+            return Err(TrainError::OtherRecipe {
+                folder: self.folder_name(),
+            });
+        }
+        Ok(())
+    }
+
+    /// The avatar that the training begins with: the folder's, where it resumes one.
+    fn start(&self, resumes: bool) -> Result<Avatar, TrainError> {
+        let file = self.options.folder.join(START);
+        if resumes && file.exists() {
+            let avatar = Avatar::read(&file)?;
+            self.expect_same_skeleton(&avatar)?;
+            return Ok(avatar);
+        }
+        let recipe = self.recipe;
+        let poses = training_poses(self.capture);
+        let mut avatar = start(
+            &self.capture.template,
+            &poses,
+            &recipe.sizes,
+            recipe.filter,
+            recipe.seed,
+        );
+        avatar.name.clone_from(&self.options.name);
+        avatar.credit.clone_from(&self.options.credit);
+        avatar.write(&file)?;
+        replace(&self.options.folder.join(RECIPE), recipe.text().as_bytes())?;
+        // As the file holds it, so that a resumed training has the same numbers.
+        Ok(Avatar::read(&file)?)
+    }
+
+    /// The views that are learned from, and those that are watched.
+    fn views(&self, start: &Avatar) -> Result<(Arc<Views>, Watched), TrainError> {
+        let Recipe { data, seed, .. } = self.recipe;
+        let of_shots = |shots, size| Views::new(self.capture, start, shots, data, *seed, size);
+        let views = of_shots(distinct_shots(self.capture, start, data.duplicate), None);
+        if views.size().iter().any(|&side| side < LEAST_SIDE) {
+            return Err(TrainError::SmallViews { size: views.size() });
+        }
+        if start.inputs.len() > TRAIN_WIDTH_MAX as usize {
+            return Err(TrainError::Inputs {
+                found: start.inputs.len(),
+            });
+        }
+        let watched = watched_shots(self.capture, views.size());
+        let watched = Watched::new(of_shots(watched, Some(views.size())));
+        Ok((Arc::new(views), watched))
+    }
+
+    /// The state before the first step.
+    fn first(&self, start: &Avatar, topology: &Topology, views: &Views) -> Checkpoint {
+        let rows = Rows::all(start.gaussians.len());
+        let layout = Layout::new(topology, &rows);
+        Checkpoint {
+            state: TrainerState::new(&layout, Parameters::of(start, &layout)),
+            rows,
+            pruned: false,
+            place: 0,
+            exposure: Exposure::new(self.capture.cameras.len()),
+            refinement: Refinement::new(self.capture),
+            seconds: 0.0,
+            data: views.name(),
+            minutes: self.options.minutes,
+            recipe: self.recipe.text(),
         }
     }
+
+    /// Checks that an avatar has the capture's skeleton.
+    fn expect_same_skeleton(&self, avatar: &Avatar) -> Result<(), TrainError> {
+        let own = &avatar.skeleton;
+        let expected = &self.capture.template.skeleton;
+        if own == expected {
+            return Ok(());
+        }
+        Err(TrainError::OtherCapture {
+            folder: self.folder_name(),
+            found: format!("{} joints", own.len()),
+            expected: format!("{} joints, or the same at other places", expected.len()),
+        })
+    }
+
+    /// Checks that a checkpoint has the numbers of this avatar and capture.
+    fn expect_same_capture(
+        &self,
+        checkpoint: &Checkpoint,
+        topology: &Topology,
+        views: &Views,
+    ) -> Result<(), TrainError> {
+        let expected = Layout::new(topology, &checkpoint.rows).lengths();
+        let numbers = checkpoint.state.parameters.arrays().map(<[f32]>::len);
+        let fits = numbers == expected
+            && checkpoint.data == views.name()
+            && checkpoint.exposure.cameras() == self.capture.cameras.len()
+            && checkpoint.refinement.fits(&Refinement::new(self.capture));
+        if fits {
+            return Ok(());
+        }
+        let gaussians = topology.gaussians.len();
+        Err(TrainError::OtherCapture {
+            folder: self.folder_name(),
+            found: format!("{gaussians} Gaussians, and {}", checkpoint.data),
+            expected: views.name(),
+        })
+    }
+}
+
+/// Runs the preflight check and logs its warnings. Faults are an error.
+fn preflight(subject: &Subject) -> Result<(), TrainError> {
+    let began = Instant::now();
+    let found = preflight::check(subject)?;
+    tracing::info!("checked in {:.1} s", began.elapsed().as_secs_f64());
+    for warning in &found.warnings {
+        tracing::warn!("{warning}");
+    }
+    if found.faults.is_empty() {
+        return Ok(());
+    }
+    Err(TrainError::Idle {
+        faults: found.faults,
+    })
 }
 
 /// The poses of frames that are not held out.
 fn training_poses(capture: &Capture) -> Vec<Pose> {
     let own = capture.frames.iter().filter(|frame| !frame.held);
     own.map(|frame| frame.pose.clone()).collect()
-}
-
-/// That an avatar has the capture's skeleton.
-fn check_same(folder: &Path, avatar: &Avatar, capture: &Capture) -> Result<(), TrainError> {
-    let own = &avatar.skeleton;
-    let expected = &capture.template.skeleton;
-    if own == expected {
-        return Ok(());
-    }
-    Err(TrainError::OtherCapture {
-        folder: folder.display().to_string(),
-        found: format!("{} joints", own.len()),
-        expected: format!("{} joints, or the same at other places", expected.len()),
-    })
 }

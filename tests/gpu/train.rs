@@ -628,7 +628,7 @@ fn pairs_that_no_buffer_holds_are_drawn_in_bands() {
         let slope = |_: usize, image: &[[f32; 3]]| Some(vec![[1e-3; 3]; image.len()]);
         let goes_on = AtomicBool::new(false);
         trainer
-            .step_asking(&scene.views, &LEARNING, &goes_on, slope)
+            .step_with_image_loss(&scene.views, &LEARNING, &goes_on, slope)
             .unwrap();
         trainer.state().unwrap()
     };
@@ -700,7 +700,7 @@ fn another_loss_is_asked_once_a_view() {
     let mut asked = Vec::new();
     let stop = AtomicBool::new(false);
     let before = trainer.state().unwrap();
-    let stopped = trainer.step_asking(&scene.views, &options, &stop, |_, _| {
+    let stopped = trainer.step_with_image_loss(&scene.views, &options, &stop, |_, _| {
         stop.store(true, Ordering::Relaxed);
         None
     });
@@ -708,7 +708,7 @@ fn another_loss_is_asked_once_a_view() {
     assert!(trainer.state().unwrap() == before);
     stop.store(false, Ordering::Relaxed);
     trainer
-        .step_asking(&scene.views, &options, &stop, |view, image| {
+        .step_with_image_loss(&scene.views, &options, &stop, |view, image| {
             assert_eq!(image.len(), pixels);
             asked.push(view);
             Some(vec![slope; pixels])

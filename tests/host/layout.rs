@@ -243,13 +243,13 @@ fn the_block_of_a_trained_view_is_the_same_on_both_sides() {
         }
     }
     let named = [
-        offset_of!(ViewBlock, lens),
-        offset_of!(ViewBlock, loss_weights),
+        offset_of!(ViewBlock, camera.focal),
+        offset_of!(ViewBlock, losses.l1),
         offset_of!(ViewBlock, counts),
-        offset_of!(ViewBlock, band),
-        offset_of!(ViewBlock, sizes),
-        offset_of!(ViewBlock, network),
-        offset_of!(ViewBlock, adam_correction),
+        offset_of!(ViewBlock, image.first_row),
+        offset_of!(ViewBlock, networks.activations),
+        offset_of!(ViewBlock, networks.layers),
+        offset_of!(ViewBlock, update.main_correction),
     ];
     assert_eq!(named, [48, 128, 160, 208, 304, 320, 400]);
 }

@@ -1,6 +1,6 @@
 //! Device memory of the training.
 
-use crate::parameters::{Layout, Parameters};
+use crate::parameters::{BASIS, Layout, Parameters};
 use crate::topology::{Follower, Rows, Topology};
 use bytemuck::{Pod, cast_slice};
 use effigy::vulkan::Gpu;
@@ -79,12 +79,15 @@ impl Learned {
         })
     }
 
-    /// The nodes' offsets and bases.
-    pub fn node_halves(&self) -> [Slice; 2] {
-        let all = Slice::from(&self.nodes);
-        let offsets = 4 * self.layout.node_bases as u64;
-        let bases = 4 * (self.layout.nodes * 3 * crate::parameters::BASIS) as u64;
-        [all.part(0, offsets), all.part(offsets, bases)]
+    /// The nodes' offsets.
+    pub fn node_offsets(&self) -> Slice {
+        Slice::from(&self.nodes).part(0, 4 * self.layout.node_bases as u64)
+    }
+
+    /// The nodes' bases.
+    pub fn node_bases(&self) -> Slice {
+        let bases = 4 * (self.layout.nodes * 3 * BASIS) as u64;
+        Slice::from(&self.nodes).part(4 * self.layout.node_bases as u64, bases)
     }
 
     /// Copies all of it back, and waits.

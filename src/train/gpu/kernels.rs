@@ -1,245 +1,258 @@
-//! The kernels that don't depend on the room for pairs, and what they are bound to.
+//! The kernels, and one table of what each binds.
 
-use super::arrays::{Fixed, Learned};
-use super::per_view::PerView;
+use super::buffers::{Buffers, PairBuffers};
 use super::shaders;
-use super::tiles::Tiles;
+use super::tiling::TileShape;
 use crate::parameters::Layout;
-use effigy::vulkan::compute::{Buffer, Kernel, Launch, Module, Resources, Slice};
+use effigy::vulkan::compute::{Kernel, Launch, Module, Resources, Slice};
 use effigy::vulkan::{Gpu, Result};
 use std::sync::Arc;
 
-/// What the host writes for each step.
-pub(super) struct Inputs {
-    pub joints: Buffer,
-    pub inputs: Buffer,
-    pub pictures: Buffer,
-    pub behind: Buffer,
-}
-
-/// What is kept of every view of a step.
-pub(super) struct OfViews {
-    pub activations: Buffer,
-    pub of_sums: Buffer,
-    pub displaced: Buffer,
-    pub of_nodes: Buffer,
-    pub of_gaussians: Buffer,
-    pub of_joints: Buffer,
-    pub loss_sums: Buffer,
-}
-
-/// The kernels that don't depend on the room for pairs.
-pub(super) struct Kernels {
-    pub mlp: Kernel,
-    pub nodes: Kernel,
-    pub project: Kernel,
-    pub loss: Kernel,
-    pub joints_backward: Kernel,
-    pub nodes_backward: Kernel,
-    pub features_backward: Kernel,
-    pub mlp_backward: Kernel,
-    pub adam_gaussians: Kernel,
-    pub adam_bases: Kernel,
-    pub adam_nodes: Kernel,
-    pub adam_networks: Kernel,
-}
-
-/// Makes kernels.
-pub(super) struct Binder<'a> {
+/// All that kernels are made from.
+pub(super) struct KernelSource<'a> {
     pub gpu: &'a Arc<Gpu>,
-    pub per_view: &'a PerView,
+    pub buffers: &'a Buffers,
+    pub pairs: &'a PairBuffers,
+    pub layout: &'a Layout,
+    pub shape: TileShape,
 }
 
-impl Binder<'_> {
+/// Makes [`Binding`] from rows of a name, the names of its array in shaders, and its memory.
+macro_rules! bindings {
+    ($($name:ident [$($array:literal),+] = $memory:expr;)*) => {
+        /// What a kernel binds.
+        #[derive(Clone, Copy, Debug)]
+        enum Binding { $($name),* }
+
+        impl Binding {
+            fn slice(self, source: &KernelSource) -> Slice {
+                match self { $(Self::$name => slice(source, $memory),)* }
+            }
+
+            /// Names of its array in shaders.
+            #[cfg(test)]
+            fn arrays(self) -> &'static [&'static str] {
+                match self { $(Self::$name => &[$($array),+],)* }
+            }
+        }
+    };
+}
+
+fn slice<'a, T: Into<Slice>>(
+    source: &'a KernelSource<'a>,
+    memory: impl FnOnce(&'a KernelSource<'a>) -> T,
+) -> Slice {
+    memory(source).into()
+}
+
+bindings! {
+    Joints ["joints"] = |s| &s.buffers.inputs.joints;
+    Inputs ["inputs"] = |s| &s.buffers.inputs.inputs;
+    Pictures ["pictures"] = |s| &s.buffers.inputs.pictures;
+    Behind ["behind"] = |s| &s.buffers.inputs.behind;
+
+    Activations ["activations"] = |s| &s.buffers.batch.activations;
+    OfSums ["of_sums"] = |s| &s.buffers.batch.of_sums;
+    Displaced ["displaced"] = |s| &s.buffers.batch.displaced;
+    OfNodes ["of_nodes"] = |s| &s.buffers.batch.of_nodes;
+    OfGaussians ["of_gaussians"] = |s| &s.buffers.batch.of_gaussians;
+    OfJoints ["of_joints"] = |s| &s.buffers.batch.of_joints;
+    LossSums ["loss_sums"] = |s| &s.buffers.batch.loss_sums;
+
+    Control ["control"] = |s| &s.buffers.view.control;
+    DepthOrder ["order"] = |s| s.buffers.view.sort.order();
+    Splats ["splats"] = |s| &s.buffers.view.splats;
+    SplatPairs ["splat_pairs"] = |s| &s.buffers.view.splat_pairs;
+    Image ["image"] = |s| &s.buffers.view.image;
+    OfImage ["of_image"] = |s| &s.buffers.view.of_image;
+    Status ["status"] = |s| &s.buffers.view.status;
+    Canonical ["canonical"] = |s| &s.buffers.view.canonical;
+    Keys ["keys"] = |s| &s.buffers.view.keys;
+    Asked ["asked"] = |s| &s.buffers.view.asked;
+    OfSkinning ["of_skinning"] = |s| &s.buffers.view.of_skinning;
+
+    FixedGaussians ["fixed_words"] = |s| &s.buffers.fixed.gaussians;
+    Rows ["rows"] = |s| &s.buffers.fixed.rows;
+    NodePart ["node_part"] = |s| &s.buffers.fixed.node_part;
+    NodeStarts ["starts"] = |s| &s.buffers.fixed.node_starts;
+    NodeFollowers ["followers"] = |s| &s.buffers.fixed.followers;
+    Members ["members"] = |s| &s.buffers.fixed.members;
+    JointStarts ["starts"] = |s| &s.buffers.fixed.joint_starts;
+    JointFollowers ["followers"] = |s| &s.buffers.fixed.moved;
+
+    Gaussians ["learned"] = |s| &s.buffers.parameters.gaussians;
+    GaussiansFirst ["first_moments"] = |s| &s.buffers.first_moments.gaussians;
+    GaussiansSecond ["second_moments"] = |s| &s.buffers.second_moments.gaussians;
+    Bases ["bases"] = |s| &s.buffers.parameters.bases;
+    BasesFirst ["first_moments"] = |s| &s.buffers.first_moments.bases;
+    BasesSecond ["second_moments"] = |s| &s.buffers.second_moments.bases;
+    Nodes ["numbers"] = |s| &s.buffers.parameters.nodes;
+    NodesFirst ["first_moments"] = |s| &s.buffers.first_moments.nodes;
+    NodesSecond ["second_moments"] = |s| &s.buffers.second_moments.nodes;
+    NodeOffsets ["offsets"] = |s| s.buffers.parameters.node_offsets();
+    NodeBases ["bases", "node_bases"] = |s| s.buffers.parameters.node_bases();
+    Networks ["networks"] = |s| &s.buffers.parameters.networks;
+    NetworksFirst ["first_moments"] = |s| &s.buffers.first_moments.networks;
+    NetworksSecond ["second_moments"] = |s| &s.buffers.second_moments.networks;
+
+    PairControl ["pair_control"] = |s| &s.pairs.control;
+    PairBlocks ["blocks"] = |s| &s.pairs.blocks;
+    PairKeys ["pair_keys"] = |s| &s.pairs.keys;
+    PairGaussians ["pair_gaussians"] = |s| &s.pairs.gaussians;
+    PairOrder ["pair_order"] = |s| s.pairs.sort.order();
+    Ranges ["ranges"] = |s| &s.pairs.ranges;
+    Records ["records"] = |s| &s.pairs.records;
+    OfSplats ["of_splats"] = |s| &s.pairs.of_splats;
+}
+
+/// A specialization constant.
+#[derive(Clone, Copy, Debug)]
+enum Constant {
+    /// Where nodes' bases begin.
+    NodeBases,
+    TileSide,
+    TileWorkgroup,
+    Batch,
+    BatchBackward,
+}
+
+impl Constant {
+    fn value(self, source: &KernelSource) -> u32 {
+        match self {
+            Self::NodeBases => source.layout.node_bases as u32,
+            Self::TileSide => source.shape.side,
+            Self::TileWorkgroup => source.shape.workgroup,
+            Self::Batch => source.shape.batches[0],
+            Self::BatchBackward => source.shape.batches[1],
+        }
+    }
+}
+
+impl KernelSource<'_> {
     fn kernel(
         &self,
         module: &'static Module,
-        storage: &[Slice],
-        constants: &[u32],
+        bindings: &[Binding],
+        constants: &[Constant],
     ) -> Result<Kernel> {
+        let slices: Vec<Slice> = bindings.iter().map(|own| own.slice(self)).collect();
+        let constants: Vec<u32> = constants.iter().map(|own| own.value(self)).collect();
         let resources = Resources {
-            uniform: Some(self.per_view.uniform()),
-            storage,
+            uniform: Some(self.buffers.view.uniform()),
+            storage: &slices,
             image: None,
         };
-        Kernel::new(self.gpu, module, constants, resources, Launch::default())
+        Kernel::new(self.gpu, module, &constants, resources, Launch::default())
+    }
+}
+
+/// Makes a struct of kernels from rows of a field, its module, what it binds from binding 1 on, and
+/// its specialization constants.
+macro_rules! kernels {
+    ($(#[$doc:meta])* $kernels:ident {
+        $($field:ident = $module:ident [$($binding:ident),*] ($($constant:ident),*);)*
+    }) => {
+        $(#[$doc])*
+        pub(super) struct $kernels { $(pub $field: Kernel),* }
+
+        impl $kernels {
+            pub fn new(source: &KernelSource) -> Result<Self> {
+                Ok(Self {
+                    $($field: source.kernel(
+                        &shaders::$module,
+                        &[$(Binding::$binding),*],
+                        &[$(Constant::$constant),*],
+                    )?),*
+                })
+            }
+
+            #[cfg(test)]
+            fn table() -> Vec<(&'static Module, Vec<Binding>)> {
+                vec![$((&shaders::$module, vec![$(Binding::$binding),*])),*]
+            }
+        }
+    };
+}
+
+kernels! {
+    /// The kernels that know no pairs.
+    Kernels {
+        mlp = MLP [Networks, Inputs, Activations] ();
+        nodes = NODES [NodeOffsets, NodeBases, NodePart, Activations, Displaced] ();
+        project = PROJECT [Gaussians, FixedGaussians, Bases, Rows, Activations, Joints, Displaced,
+            Canonical, Splats, Keys, SplatPairs] ();
+        loss = LOSS [Image, Pictures, Behind, Asked, OfImage, LossSums] ();
+        joints_backward = JOINTS_BACKWARD [JointStarts, JointFollowers, OfSkinning, OfJoints] ();
+        nodes_backward = NODES_BACKWARD [NodeStarts, NodeFollowers, OfGaussians, OfNodes] ();
+        features_backward = FEATURES_BACKWARD [OfGaussians, OfNodes, Bases, Rows, NodeBases,
+            Members, OfSums] ();
+        mlp_backward = MLP_BACKWARD [Networks, Activations, OfSums] ();
+        adam_gaussians = ADAM_GAUSSIANS [Status, OfGaussians, Gaussians, GaussiansFirst,
+            GaussiansSecond] ();
+        adam_bases = ADAM_BASES [Status, OfGaussians, Activations, Rows, Bases, BasesFirst,
+            BasesSecond] ();
+        adam_nodes = ADAM_NODES [Status, OfNodes, Activations, NodePart, Nodes, NodesFirst,
+            NodesSecond] (NodeBases);
+        adam_networks = ADAM_NETWORKS [Status, Inputs, Activations, OfSums, Networks,
+            NetworksFirst, NetworksSecond] ();
+    }
+}
+
+kernels! {
+    /// The kernels that make or read pairs.
+    PairKernels {
+        count = TILES_COUNT [Control, DepthOrder, Splats, PairBlocks] (TileSide);
+        scan = TILES_SCAN [Control, PairBlocks, PairControl, Status] ();
+        emit = TILES_EMIT [Control, DepthOrder, Splats, PairBlocks, PairControl, PairKeys,
+            PairGaussians, SplatPairs] (TileSide);
+        ranges = TILES_RANGES [PairControl, PairOrder, PairKeys, Ranges] ();
+        raster = RASTER [Ranges, PairOrder, PairGaussians, Splats, Image]
+            (TileSide, TileWorkgroup, Batch);
+        raster_backward = RASTER_BACKWARD [Ranges, PairOrder, PairGaussians, Splats, Image,
+            OfImage, Records] (TileSide, TileWorkgroup, BatchBackward);
+        project_backward = PROJECT_BACKWARD [FixedGaussians, Joints, Canonical, SplatPairs,
+            Records, OfGaussians, OfSkinning, OfSplats] ();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+    use std::path::Path;
+
+    /// The arrays of a shader's storage buffers, in the order of their bindings, from 1 on.
+    fn arrays(file: &str) -> Vec<String> {
+        let shaders = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders"));
+        let source = fs::read_to_string(shaders.join(file)).unwrap();
+        let lines = source
+            .lines()
+            .filter_map(|line| line.split_once("binding = "));
+        lines
+            .enumerate()
+            .map(|(at, (_, line))| {
+                assert!(line.starts_with(&format!("{})", at + 1)), "{file}: {line}");
+                let (_, member) = line.split_once("{ ").unwrap();
+                let (_, name) = member.split_once(' ').unwrap();
+                name.split(['[', ';']).next().unwrap().to_string()
+            })
+            .collect()
     }
 
-    pub fn project_backward(
-        &self,
-        inputs: &Inputs,
-        of_views: &OfViews,
-        fixed: &Fixed,
-        tiles: &Tiles,
-    ) -> Result<Kernel> {
-        self.kernel(
-            &shaders::PROJECT_BACKWARD,
-            &[
-                (&fixed.gaussians).into(),
-                (&inputs.joints).into(),
-                (&self.per_view.canonical).into(),
-                (&self.per_view.splat_pairs).into(),
-                (&tiles.records).into(),
-                (&of_views.of_gaussians).into(),
-                (&self.per_view.of_skinning).into(),
-                (&tiles.of_splats).into(),
-            ],
-            &[],
-        )
-    }
-
-    pub fn kernels(
-        &self,
-        inputs: &Inputs,
-        of_views: &OfViews,
-        fixed: &Fixed,
-        [p, m, v]: [&Learned; 3],
-        layout: &Layout,
-    ) -> Result<Kernels> {
-        let own = self.per_view;
-        let [node_offsets, node_bases] = p.node_halves();
-        Ok(Kernels {
-            mlp: self.kernel(
-                &shaders::MLP,
-                &[
-                    (&p.networks).into(),
-                    (&inputs.inputs).into(),
-                    (&of_views.activations).into(),
-                ],
-                &[],
-            )?,
-            nodes: self.kernel(
-                &shaders::NODES,
-                &[
-                    node_offsets,
-                    node_bases,
-                    (&fixed.node_part).into(),
-                    (&of_views.activations).into(),
-                    (&of_views.displaced).into(),
-                ],
-                &[],
-            )?,
-            project: self.kernel(
-                &shaders::PROJECT,
-                &[
-                    (&p.gaussians).into(),
-                    (&fixed.gaussians).into(),
-                    (&p.bases).into(),
-                    (&fixed.rows).into(),
-                    (&of_views.activations).into(),
-                    (&inputs.joints).into(),
-                    (&of_views.displaced).into(),
-                    (&own.canonical).into(),
-                    (&own.splats).into(),
-                    (&own.keys).into(),
-                    (&own.splat_pairs).into(),
-                ],
-                &[],
-            )?,
-            loss: self.kernel(
-                &shaders::LOSS,
-                &[
-                    (&own.image).into(),
-                    (&inputs.pictures).into(),
-                    (&inputs.behind).into(),
-                    (&own.asked).into(),
-                    (&own.of_image).into(),
-                    (&of_views.loss_sums).into(),
-                ],
-                &[],
-            )?,
-            joints_backward: self.kernel(
-                &shaders::JOINTS_BACKWARD,
-                &[
-                    (&fixed.joint_starts).into(),
-                    (&fixed.moved).into(),
-                    (&own.of_skinning).into(),
-                    (&of_views.of_joints).into(),
-                ],
-                &[],
-            )?,
-            nodes_backward: self.kernel(
-                &shaders::NODES_BACKWARD,
-                &[
-                    (&fixed.node_starts).into(),
-                    (&fixed.followers).into(),
-                    (&of_views.of_gaussians).into(),
-                    (&of_views.of_nodes).into(),
-                ],
-                &[],
-            )?,
-            features_backward: self.kernel(
-                &shaders::FEATURES_BACKWARD,
-                &[
-                    (&of_views.of_gaussians).into(),
-                    (&of_views.of_nodes).into(),
-                    (&p.bases).into(),
-                    (&fixed.rows).into(),
-                    node_bases,
-                    (&fixed.members).into(),
-                    (&of_views.of_sums).into(),
-                ],
-                &[],
-            )?,
-            mlp_backward: self.kernel(
-                &shaders::MLP_BACKWARD,
-                &[
-                    (&p.networks).into(),
-                    (&of_views.activations).into(),
-                    (&of_views.of_sums).into(),
-                ],
-                &[],
-            )?,
-            adam_gaussians: self.kernel(
-                &shaders::ADAM_GAUSSIANS,
-                &[
-                    (&own.status).into(),
-                    (&of_views.of_gaussians).into(),
-                    (&p.gaussians).into(),
-                    (&m.gaussians).into(),
-                    (&v.gaussians).into(),
-                ],
-                &[],
-            )?,
-            adam_bases: self.kernel(
-                &shaders::ADAM_BASES,
-                &[
-                    (&own.status).into(),
-                    (&of_views.of_gaussians).into(),
-                    (&of_views.activations).into(),
-                    (&fixed.rows).into(),
-                    (&p.bases).into(),
-                    (&m.bases).into(),
-                    (&v.bases).into(),
-                ],
-                &[],
-            )?,
-            adam_nodes: self.kernel(
-                &shaders::ADAM_NODES,
-                &[
-                    (&own.status).into(),
-                    (&of_views.of_nodes).into(),
-                    (&of_views.activations).into(),
-                    (&fixed.node_part).into(),
-                    (&p.nodes).into(),
-                    (&m.nodes).into(),
-                    (&v.nodes).into(),
-                ],
-                &[layout.node_bases as u32],
-            )?,
-            adam_networks: self.kernel(
-                &shaders::ADAM_NETWORKS,
-                &[
-                    (&own.status).into(),
-                    (&inputs.inputs).into(),
-                    (&of_views.activations).into(),
-                    (&of_views.of_sums).into(),
-                    (&p.networks).into(),
-                    (&m.networks).into(),
-                    (&v.networks).into(),
-                ],
-                &[],
-            )?,
-        })
+    #[test]
+    fn kernels_bind_what_their_shaders_name() {
+        let all = [Kernels::table(), PairKernels::table()].concat();
+        assert_eq!(all.len(), shaders::MODULES.len());
+        for (module, bindings) in all {
+            let arrays = arrays(module.file);
+            assert_eq!(arrays.len(), bindings.len(), "{}", module.file);
+            for (array, binding) in arrays.iter().zip(bindings) {
+                assert!(
+                    binding.arrays().contains(&array.as_str()),
+                    "{}: {binding:?} in place of {array}",
+                    module.file
+                );
+            }
+        }
     }
 }

@@ -12,12 +12,15 @@
 
 mod arrays;
 mod block;
+mod buffers;
 mod kernels;
-mod per_view;
 pub mod shaders;
+mod state;
 mod tiles;
+mod tiling;
 mod trainer;
 
 pub use block::{StepOptions, ViewBlock};
-pub use tiles::TileShape;
-pub use trainer::{StepReport, Trainer, TrainerState, memory_bytes};
+pub use state::TrainerState;
+pub use tiling::TileShape;
+pub use trainer::{StepReport, Trainer, memory_bytes};

@@ -1,67 +1,33 @@
 //! The steps of a training on a device.
 
-use super::arrays::{Fixed, Learned, read, words, written};
-use super::block::{MOST_BANDS, Place, STRIDE, StepOptions, Tiling, Updates, ViewBlock};
-use super::kernels::{Binder, Inputs, Kernels, OfViews};
-use super::per_view::PerView;
-use super::tiles::{TileShape, Tiles};
+use super::block::{STRIDE, StepOptions, Updates, ViewBand, ViewBlock};
+use super::buffers::{Batch, Buffers, LossSums, groups};
+use super::kernels::{KernelSource, Kernels};
+use super::state::TrainerState;
+use super::tiles::PairStage;
+use super::tiling::{BandTiling, MAX_BANDS, TileShape};
 use crate::parameters::{Layout, Parameters};
 use crate::topology::{Rows, Topology};
 use crate::view::View;
 use bytemuck::{bytes_of, cast_slice};
-use effigy::vulkan::compute::{Buffer, Kernel, Recording, Scope};
+use effigy::vulkan::compute::{Buffer, Recording, Scope};
 use effigy::vulkan::{Error, Gpu, Result};
-use effigy_core::layout::{
-    TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_LOSS_SUMS, TRAIN_RECORD, TRAIN_WIDTH_MAX,
-    TRAIN_WORKGROUP,
-};
+use effigy_core::layout::{TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_RECORD, TRAIN_WIDTH_MAX};
 use glam::{DAffine3, DVec3};
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Room for pairs at first, for each Gaussian. More is made where it does not do.
-const PAIRS_A_GAUSSIAN: u32 = 4;
+/// Initial pair capacity per Gaussian; grows on demand.
+const PAIRS_PER_GAUSSIAN: u32 = 4;
+/// Smallest initial pair capacity.
+const MIN_PAIRS: u32 = 1024;
 /// Storage buffers that the kernel with the most of them binds.
 const STORAGE_BUFFERS: u32 = 11;
 /// Layers that the kernels know.
 const LAYERS: usize = 4;
 
-/// Sums of a workgroup of pixels.
-const LOSS_SUMS: usize = TRAIN_LOSS_SUMS as usize;
-
-/// What a training learns, and where it stands: all that a checkpoint needs of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TrainerState {
-    /// What is learned.
-    pub parameters: Parameters<f32>,
-    /// Adam's first moments.
-    pub first_moments: Parameters<f32>,
-    /// Adam's second moments.
-    pub second_moments: Parameters<f32>,
-    /// Steps since the start.
-    pub steps: u64,
-    /// Steps in which correctives learned.
-    pub corrective_steps: u64,
-}
-
-impl TrainerState {
-    /// The start of a training.
-    pub fn new(layout: &Layout, parameters: Parameters<f32>) -> Self {
-        Self {
-            parameters,
-            first_moments: Parameters::zeros(layout),
-            second_moments: Parameters::zeros(layout),
-            steps: 0,
-            corrective_steps: 0,
-        }
-    }
-}
-
-/// |difference|, its square, and the derivative of the gain.
-type LossSums = [f32; LOSS_SUMS];
-
-/// What a step found.
+/// The losses of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepReport {
     /// Mean of |image − picture| over all channels of all pixels of all views, before the step.
@@ -76,35 +42,27 @@ pub struct StepReport {
 
 /// A training on a device: steps of Adam along the derivative of pictures' losses.
 ///
-/// Every sum has a fixed order: equal steps give equal bits on one device.
+/// Every sum has a fixed order: on one device, equal steps give equal bits.
 pub struct Trainer {
     // Kernels go before what they are bound to.
     kernels: Kernels,
-    project_backward: Kernel,
-    tiles: Tiles,
+    pairs: PairStage,
+    buffers: Buffers,
     gpu: Arc<Gpu>,
     topology: Topology,
     layout: Layout,
     shape: TileShape,
-    size: [u32; 2],
-    views: usize,
-    per_view: PerView,
-    inputs: Inputs,
-    of_views: OfViews,
-    fixed: Fixed,
-    parameters: Learned,
-    first_moments: Learned,
-    second_moments: Learned,
+    batch: Batch,
     steps: u64,
     corrective_steps: u64,
 }
 
 impl Trainer {
-    /// Begins or goes on with a training. `size`: of every view's image, px; `views`: most of a
-    /// step. Tiles have the shape for the device.
+    /// Begins or resumes a training. `size`: of every view's image, px; `views`: of a step, at most.
+    /// Tiles have the shape for the device.
     ///
     /// # Errors
-    /// When the device has too little memory or too few bindings, or the avatar is not for it: the
+    /// When the device has too little memory or too few bindings, or the avatar is not supported: the
     /// networks have 2 to 4 layers of at most [`TRAIN_WIDTH_MAX`] numbers, the last of twice
     /// [`TRAIN_BASIS`].
     pub fn new(
@@ -118,7 +76,7 @@ impl Trainer {
         Self::with_shape(gpu, topology, rows, state, size, views, TileShape::of(gpu))
     }
 
-    /// [`Self::new`] with tiles of a shape of one's choice.
+    /// [`Self::new`] with tiles of another shape.
     ///
     /// # Errors
     /// Those of [`Self::new`].
@@ -132,86 +90,44 @@ impl Trainer {
         shape: TileShape,
     ) -> Result<Self> {
         check(gpu, topology, size)?;
+        let batch = Batch { size, views };
         let layout = Layout::new(topology, rows);
-        let count = layout.gaussians;
-        let pixels = size[0] as usize * size[1] as usize;
-        let widths: usize = topology.widths[1..].iter().sum();
-        let per_view = PerView::new(gpu, count as u32, pixels, views)?;
-        let inputs = Inputs {
-            joints: written(gpu, "posed joints", 12 * topology.joints * views)?,
-            inputs: written(gpu, "network inputs", topology.widths[0] * views)?,
-            pictures: written(gpu, "pictures", pixels * views)?,
-            behind: written(gpu, "backgrounds", pixels * views)?,
-        };
-        let of_views = OfViews {
-            activations: words(gpu, "activations", widths * layout.parts * views)?,
-            of_sums: words(
-                gpu,
-                "activations' derivatives",
-                widths * layout.parts * views,
-            )?,
-            displaced: words(gpu, "displaced nodes", 4 * layout.nodes * views)?,
-            of_nodes: words(gpu, "nodes' derivatives", 4 * layout.nodes * views)?,
-            of_gaussians: words(gpu, "Gaussians' derivatives", 16 * count * views)?,
-            of_joints: read(gpu, "joints' derivatives", 12 * topology.joints * views)?,
-            loss_sums: read(
-                gpu,
-                "loss sums",
-                LOSS_SUMS * groups(pixels) as usize * views,
-            )?,
-        };
-        let fixed = Fixed::new(gpu, topology, rows)?;
-        let parameters = Learned::new(gpu, "parameters", &layout, &state.parameters)?;
-        let first_moments = Learned::new(gpu, "first moments", &layout, &state.first_moments)?;
-        let second_moments = Learned::new(gpu, "second moments", &layout, &state.second_moments)?;
-        let tiling = Tiling {
+        let buffers = Buffers::new(gpu, topology, rows, state, batch)?;
+        let tiling = BandTiling {
             side: shape.side,
-            pairs: (PAIRS_A_GAUSSIAN * count as u32)
-                .max(1024)
-                .min(most_pairs(gpu, shape)),
+            pairs: (PAIRS_PER_GAUSSIAN * layout.gaussians as u32)
+                .max(MIN_PAIRS)
+                .min(shape.max_pairs(gpu)),
             bands: 1,
         };
-        let tiles = Tiles::new(gpu, &per_view, shape, tiling, size)?;
-        let binder = Binder {
+        let pairs = PairStage::new(gpu, &buffers, &layout, shape, tiling, size)?;
+        let kernels = Kernels::new(&KernelSource {
             gpu,
-            per_view: &per_view,
-        };
-        let kernels = binder.kernels(
-            &inputs,
-            &of_views,
-            &fixed,
-            [&parameters, &first_moments, &second_moments],
-            &layout,
-        )?;
-        let project_backward = binder.project_backward(&inputs, &of_views, &fixed, &tiles)?;
+            buffers: &buffers,
+            pairs: &pairs.buffers,
+            layout: &layout,
+            shape,
+        })?;
         Ok(Self {
             kernels,
-            project_backward,
-            tiles,
+            pairs,
+            buffers,
             gpu: gpu.clone(),
             topology: topology.clone(),
             layout,
             shape,
-            size,
-            views,
-            per_view,
-            inputs,
-            of_views,
-            fixed,
-            parameters,
-            first_moments,
-            second_moments,
+            batch,
             steps: state.steps,
             corrective_steps: state.corrective_steps,
         })
     }
 
-    /// Where it stands: copies everything back, and waits.
+    /// All that is learned so far: copies everything back, and waits.
     pub fn state(&self) -> Result<TrainerState> {
         Ok(TrainerState {
-            parameters: self.parameters.download()?,
-            first_moments: self.first_moments.download()?,
-            second_moments: self.second_moments.download()?,
+            parameters: self.buffers.parameters.download()?,
+            first_moments: self.buffers.first_moments.download()?,
+            second_moments: self.buffers.second_moments.download()?,
             steps: self.steps,
             corrective_steps: self.corrective_steps,
         })
@@ -219,7 +135,7 @@ impl Trainer {
 
     /// What is learned so far.
     pub fn parameters(&self) -> Result<Parameters<f32>> {
-        self.parameters.download()
+        self.buffers.parameters.download()
     }
 
     /// Steps so far.
@@ -227,8 +143,8 @@ impl Trainer {
         self.steps
     }
 
-    /// A step along the derivative of the views' losses. Where the pairs of a view don't fit, room
-    /// is made and the step taken again: nothing is left out.
+    /// A step along the derivative of the views' losses. Where the pairs of a view don't fit, their
+    /// capacity grows and the step is taken again: no pair is dropped.
     ///
     /// # Panics
     /// When there are no views or more than the trainer was made for, or a view has another size or
@@ -242,14 +158,14 @@ impl Trainer {
                 self.record_views(commands, views.len(), options.joints);
                 self.record_update(commands, views.len());
             })?;
-            if !self.make_room()? {
+            if !self.grow_pairs()? {
                 break;
             }
         }
         self.finish(views, options)
     }
 
-    /// Looks at views as [`Self::step`] does, derivatives included, and learns nothing.
+    /// Computes the losses and derivatives of [`Self::step`], and learns nothing.
     ///
     /// # Panics
     /// Those of [`Self::step`].
@@ -262,30 +178,30 @@ impl Trainer {
                 self.record_views(commands, views.len(), options.joints);
                 commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
             })?;
-            if !self.make_room()? {
+            if !self.grow_pairs()? {
                 return Ok(self.report(views));
             }
         }
     }
 
-    /// A step with another loss. `ask` is given the number of a view and its image over its
-    /// background, RGB from 0 to 1, and says the derivative of its loss with respect to that, which
-    /// is divided by the number of views; None where it has nothing to say. Where `stop` is set
-    /// before the end nothing is learned, and nothing is returned.
+    /// A step with another loss of images. `image_loss` gets the index of a view and its image over
+    /// its background, RGB from 0 to 1, and returns the derivative of its loss with respect to that
+    /// image, which is divided by the number of views; None: it has no loss of this view. Where
+    /// `stop` is set before the end nothing is learned, and None is returned.
     ///
     /// # Panics
-    /// Where [`Self::step`] does, or what is asked has not the image's length.
-    pub fn step_asking(
+    /// Where [`Self::step`] does, or a derivative has not the image's length.
+    pub fn step_with_image_loss(
         &mut self,
         views: &[View],
         options: &StepOptions,
         stop: &AtomicBool,
-        mut ask: impl FnMut(usize, &[[f32; 3]]) -> Option<Vec<[f32; 3]>>,
+        mut image_loss: impl FnMut(usize, &[[f32; 3]]) -> Option<Vec<[f32; 3]>>,
     ) -> Result<Option<StepReport>> {
         self.assert_fits(views);
         self.write(views, options);
         for (number, view) in views.iter().enumerate() {
-            // Room is made before anybody looks at an image.
+            // Pairs must fit before an image is used.
             loop {
                 self.gpu.run("a step's image", |commands| {
                     Self::record_start(commands);
@@ -295,7 +211,7 @@ impl Trainer {
                     self.record_forward(commands, number);
                     commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
                 })?;
-                if !self.make_room()? {
+                if !self.grow_pairs()? {
                     break;
                 }
                 self.write(views, options);
@@ -303,10 +219,12 @@ impl Trainer {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
-            if let Some(asked) = ask(number, &self.image(view)?) {
-                assert_eq!(asked.len(), self.pixels(), "what is asked of view {number}");
-                let padded: Vec<[f32; 4]> = asked.iter().map(|&[r, g, b]| [r, g, b, 0.0]).collect();
-                self.per_view.asked.upload(cast_slice(&padded))?;
+            if let Some(gradient) = image_loss(number, &self.image(view)?) {
+                let pixels = self.batch.pixels();
+                assert_eq!(gradient.len(), pixels, "image derivative of view {number}");
+                let padded: Vec<[f32; 4]> =
+                    gradient.iter().map(|&[r, g, b]| [r, g, b, 0.0]).collect();
+                self.buffers.view.asked.upload(cast_slice(&padded))?;
                 self.write_block(views, number, options, true);
             }
             if stop.load(Ordering::Relaxed) {
@@ -340,7 +258,7 @@ impl Trainer {
                 })?;
                 images.push(self.image(view)?);
             }
-            if !self.make_room()? {
+            if !self.grow_pairs()? {
                 return Ok(images);
             }
         }
@@ -348,49 +266,36 @@ impl Trainer {
 
     fn assert_fits(&self, views: &[View]) {
         assert!(
-            (1..=self.views).contains(&views.len()),
+            (1..=self.batch.views).contains(&views.len()),
             "a step of {} views, made for 1 to {}",
             views.len(),
-            self.views
+            self.batch.views
         );
         for (number, view) in views.iter().enumerate() {
-            assert_eq!(view.camera.size, self.size, "size of view {number}");
-            assert_eq!(view.picture.size, self.size, "picture of view {number}");
+            assert_eq!(view.camera.size, self.batch.size, "size of view {number}");
+            assert_eq!(
+                view.picture.size, self.batch.size,
+                "picture of view {number}"
+            );
             assert_eq!(view.joints.len(), self.topology.joints, "joints");
             assert_eq!(view.input.len(), self.topology.widths[0], "input");
         }
     }
-
-    fn pixels(&self) -> usize {
-        self.size[0] as usize * self.size[1] as usize
-    }
-}
-
-/// Pairs that there can be room for.
-fn most_pairs(gpu: &Gpu, shape: TileShape) -> u32 {
-    let record = 4 * TRAIN_RECORD;
-    let limit = gpu.probe.limits.max_storage_buffer_range / record;
-    shape.most_pairs.min(limit)
 }
 
 /// Where the block of a band of a view begins, bytes.
 fn offset_of(number: usize, band: u32) -> u32 {
-    (number as u32 * MOST_BANDS + band) * STRIDE as u32
+    (number as u32 * MAX_BANDS + band) * STRIDE as u32
 }
 
-/// Workgroups for so many of something.
-fn groups(count: usize) -> u32 {
-    count.div_ceil(TRAIN_WORKGROUP as usize) as u32
-}
-
-/// Device memory of a training, bytes, before room is made for views with many pairs. `size`: of
-/// every view, px; `views`: of a step.
+/// Device memory of a training, bytes, before the capacity for pairs grows. `size`: of every view,
+/// px; `views`: of a step.
 pub fn memory_bytes(topology: &Topology, rows: &Rows, size: [u32; 2], views: usize) -> u64 {
     let layout = Layout::new(topology, rows);
     let pixels = size[0] as usize * size[1] as usize;
     let learned: usize = layout.lengths().iter().sum();
     let widths: usize = topology.widths[1..].iter().sum();
-    let pairs = (PAIRS_A_GAUSSIAN as usize * layout.gaussians).max(1024);
+    let pairs = (PAIRS_PER_GAUSSIAN as usize * layout.gaussians).max(MIN_PAIRS as usize);
     // Words, by what they are of.
     let of_gaussian = 12 + 4 + 6 + 8 + 16 + 12 + 12 + 2 + 8 + 16 * views;
     let of_node = 8 * views + 2;
@@ -406,7 +311,7 @@ pub fn memory_bytes(topology: &Topology, rows: &Rows, size: [u32; 2], views: usi
     4 * words as u64
 }
 
-/// That a device, an avatar and the size of its views are for training.
+/// Checks that a device, an avatar and the size of its views are suitable for training.
 fn check(gpu: &Gpu, topology: &Topology, size: [u32; 2]) -> Result<()> {
     let unsupported = |missing: String| Error::Unsupported {
         device: gpu.probe.name.clone(),
@@ -447,7 +352,7 @@ fn check(gpu: &Gpu, topology: &Topology, size: [u32; 2]) -> Result<()> {
 }
 
 impl Trainer {
-    /// Writes what the host knows of the views.
+    /// Writes the host's inputs for some views.
     fn write(&mut self, views: &[View], options: &StepOptions) {
         let mut joints: Vec<f32> = Vec::new();
         let mut inputs: Vec<f32> = Vec::new();
@@ -460,42 +365,47 @@ impl Trainer {
             behind.extend(&view.picture.behind);
             self.write_block(views, number, options, false);
         }
-        put(&mut self.inputs.joints, cast_slice(&joints));
-        put(&mut self.inputs.inputs, cast_slice(&inputs));
-        put(&mut self.inputs.pictures, cast_slice(&pictures));
-        put(&mut self.inputs.behind, cast_slice(&behind));
-        self.per_view.status.mapped().fill(0);
+        put(&mut self.buffers.inputs.joints, cast_slice(&joints));
+        put(&mut self.buffers.inputs.inputs, cast_slice(&inputs));
+        put(&mut self.buffers.inputs.pictures, cast_slice(&pictures));
+        put(&mut self.buffers.inputs.behind, cast_slice(&behind));
+        self.buffers.view.status.mapped().fill(0);
     }
 
-    /// Writes the blocks of a view's bands. `asked`: whether another loss asks something of it.
-    fn write_block(&mut self, views: &[View], number: usize, options: &StepOptions, asked: bool) {
+    /// Writes the blocks of a view's bands. `has_image_loss`: see [`ViewBand`].
+    fn write_block(
+        &mut self,
+        views: &[View],
+        number: usize,
+        options: &StepOptions,
+        has_image_loss: bool,
+    ) {
         let updates = Updates {
             main: self.steps + 1,
             correctives: self.corrective_steps + 1,
         };
-        for band in 0..self.tiles.tiling.bands {
-            let place = Place {
-                view: number,
-                band,
-                views: views.len(),
-                asked,
-            };
+        for band in 0..self.pairs.tiling.bands {
             let block = ViewBlock::new(
                 &self.topology,
                 &self.layout,
                 &views[number],
                 options,
-                self.tiles.tiling,
-                place,
+                self.pairs.tiling,
+                ViewBand {
+                    view: number,
+                    band,
+                    views: views.len(),
+                    has_image_loss,
+                },
                 updates,
             );
             let at = offset_of(number, band) as usize;
             let bytes = bytes_of(&block);
-            self.per_view.blocks.mapped()[at..at + bytes.len()].copy_from_slice(bytes);
+            self.buffers.view.blocks.mapped()[at..at + bytes.len()].copy_from_slice(bytes);
         }
     }
 
-    /// From poses to the derivative of the Gaussians of so many views.
+    /// From poses to the derivative of the Gaussians, of the first `views` views.
     fn record_views(&self, commands: Recording, views: usize, joints: bool) {
         self.record_pose(commands, views);
         for number in 0..views {
@@ -534,12 +444,14 @@ impl Trainer {
             .project
             .dispatch(commands, offset, groups(self.layout.gaussians));
         next();
-        self.per_view.sort.record(commands);
+        self.buffers.view.sort.record(commands);
         next();
-        for band in (0..self.tiles.tiling.bands).rev() {
+        for band in (0..self.pairs.tiling.bands).rev() {
             let offset = offset_of(number, band);
-            self.tiles.record_pairs(commands, offset, self.size, band);
-            self.tiles.record_image(commands, offset, self.size, band);
+            self.pairs
+                .record_pairs(commands, offset, self.batch.size, band);
+            self.pairs
+                .record_image(commands, offset, self.batch.size, band);
             if band > 0 {
                 next();
             }
@@ -550,19 +462,23 @@ impl Trainer {
     fn record_backward(&self, commands: Recording, number: usize, joints: bool) {
         let offset = offset_of(number, 0);
         let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
-        let pixels = self.pixels();
+        let pixels = self.batch.pixels();
         self.kernels.loss.dispatch(commands, offset, groups(pixels));
         next();
-        for band in 0..self.tiles.tiling.bands {
+        for band in 0..self.pairs.tiling.bands {
             let offset = offset_of(number, band);
             if band > 0 {
-                self.tiles.record_pairs(commands, offset, self.size, band);
+                self.pairs
+                    .record_pairs(commands, offset, self.batch.size, band);
             }
-            self.tiles
-                .record_backward(commands, offset, self.size, band);
+            self.pairs
+                .record_backward(commands, offset, self.batch.size, band);
             next();
-            self.project_backward
-                .dispatch(commands, offset, groups(self.layout.gaussians));
+            self.pairs.kernels.project_backward.dispatch(
+                commands,
+                offset,
+                groups(self.layout.gaussians),
+            );
             next();
         }
         if joints {
@@ -599,27 +515,27 @@ impl Trainer {
         commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
     }
 
-    /// Makes room for pairs where the last submission lacked it, or cuts views into more bands where
-    /// no buffer holds more. Whether it did.
-    fn make_room(&mut self) -> Result<bool> {
+    /// Grows the capacity for pairs where the last submission exceeded it, or cuts views into more
+    /// bands where no buffer holds more. Returns whether it did.
+    fn grow_pairs(&mut self) -> Result<bool> {
         let needed = self.status()[0];
-        let now = self.tiles.tiling;
+        let now = self.pairs.tiling;
         if needed <= now.pairs {
             return Ok(false);
         }
-        let most = most_pairs(&self.gpu, self.shape);
-        let [_, rows] = now.tiles(self.size);
+        let most = self.shape.max_pairs(&self.gpu);
+        let [_, rows] = now.tiles(self.batch.size);
         let with_spare = needed.saturating_add(needed / 4);
         let tiling = if with_spare <= most {
-            Tiling {
+            BandTiling {
                 pairs: with_spare,
                 ..now
             }
         } else {
             let bands = now.bands.saturating_mul(with_spare.div_ceil(most));
-            Tiling {
+            BandTiling {
                 pairs: most,
-                bands: bands.min(rows).min(MOST_BANDS),
+                bands: bands.min(rows).min(MAX_BANDS),
                 ..now
             }
         };
@@ -638,33 +554,27 @@ impl Trainer {
             tiling.pairs,
             tiling.bands
         );
-        let tiles = Tiles::new(&self.gpu, &self.per_view, self.shape, tiling, self.size)?;
-        let binder = Binder {
-            gpu: &self.gpu,
-            per_view: &self.per_view,
-        };
-        // Both or none: a kernel must not outlive what it is bound to.
-        self.project_backward =
-            binder.project_backward(&self.inputs, &self.of_views, &self.fixed, &tiles)?;
-        self.tiles = tiles;
+        let shape = self.shape;
+        let (gpu, buffers, layout) = (&self.gpu, &self.buffers, &self.layout);
+        self.pairs = PairStage::new(gpu, buffers, layout, shape, tiling, self.batch.size)?;
         Ok(true)
     }
 
     fn status(&mut self) -> [u32; 4] {
-        bytemuck::pod_read_unaligned(&self.per_view.status.mapped()[..16])
+        bytemuck::pod_read_unaligned(&self.buffers.view.status.mapped()[..16])
     }
 
-    /// Counts a step, and says what it found.
+    /// Counts a step, and reports its losses.
     fn finish(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
         self.steps += 1;
         self.corrective_steps += u64::from(options.correctives);
         Ok(self.report(views))
     }
 
-    /// What was found of some views.
+    /// The losses of some views.
     fn report(&mut self, views: &[View]) -> StepReport {
         let [pairs, empty_views, ..] = self.status();
-        let pixels = self.pixels();
+        let pixels = self.batch.pixels();
         let channels = 3.0 * (pixels * views.len()) as f64;
         let mean = |sums: &[LossSums], at: usize| {
             sums.iter().map(|sum| f64::from(sum[at])).sum::<f64>() / channels
@@ -679,11 +589,10 @@ impl Trainer {
     }
 
     /// The derivative of the last step's loss with respect to G of each joint of one of its views,
-    /// where [`StepOptions::joints`] asked for it. What networks make of another pose is no part of
-    /// it.
+    /// where [`StepOptions::joints`] is set. The networks' inputs are held fixed.
     pub fn joints_gradient(&mut self, view: usize) -> Vec<DAffine3> {
         let joints = self.topology.joints;
-        let rows: &[[f32; 4]] = cast_slice(self.of_views.of_joints.mapped());
+        let rows: &[[f32; 4]] = cast_slice(self.buffers.batch.of_joints.mapped());
         rows[3 * joints * view..3 * joints * (view + 1)]
             .chunks_exact(3)
             .map(|rows| {
@@ -697,10 +606,8 @@ impl Trainer {
     /// each Gaussian, in its first view: ten numbers each. Those of correctives are the same, but
     /// for the losses of correctives themselves.
     pub fn attribute_gradients(&self) -> Result<Vec<[f32; 10]>> {
-        let bytes = self
-            .of_views
-            .of_gaussians
-            .download(64 * self.layout.gaussians)?;
+        let of_gaussians = &self.buffers.batch.of_gaussians;
+        let bytes = of_gaussians.download(64 * self.layout.gaussians)?;
         let rows: Vec<[f32; 16]> = bytemuck::pod_collect_to_vec(&bytes);
         let place = |k: usize| if k < 7 { k } else { k + 1 };
         Ok(rows
@@ -715,17 +622,17 @@ impl Trainer {
         std::array::from_fn(|c| sums.iter().map(|sum| f64::from(sum[2 + c])).sum())
     }
 
-    /// What the workgroups of some views of the last step found.
+    /// The sums of the workgroups of some views of the last step.
     fn loss_sums(&mut self, views: Range<usize>) -> &[LossSums] {
-        let size = groups(self.pixels()) as usize * size_of::<LossSums>();
+        let size = groups(self.batch.pixels()) as usize * size_of::<LossSums>();
         let range = views.start * size..views.end * size;
-        cast_slice(&self.of_views.loss_sums.mapped()[range])
+        cast_slice(&self.buffers.batch.loss_sums.mapped()[range])
     }
 
     /// The last image over what is behind the avatar in a view.
     fn image(&self, view: &View) -> Result<Vec<[f32; 3]>> {
-        let pixels = self.pixels();
-        let bytes = self.per_view.image.download(16 * pixels)?;
+        let pixels = self.batch.pixels();
+        let bytes = self.buffers.view.image.download(16 * pixels)?;
         let drawn: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         let gain = view.gain.as_vec3().to_array();
         Ok(drawn
