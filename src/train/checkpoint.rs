@@ -1,14 +1,15 @@
-//! Where a training stands, on disk: written beside the last one and put in its place at once, so
-//! that a kill at any moment spoils nothing.
+//! The state of a training on disk. A new file is written beside the last one and then renamed, so
+//! that a kill at any moment leaves a whole checkpoint.
 
 use crate::exposure::Exposure;
 use crate::gpu::TrainerState;
 use crate::parameters::Parameters;
 use crate::refine::{Items, Refinement};
 use crate::topology::Rows;
+use bytemuck::Pod;
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::random::hash;
-use safetensors::{Dtype, SafeTensors, tensor::TensorView};
+use safetensors::{Dtype, SafeTensorError, SafeTensors, tensor::TensorView};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fs;
@@ -21,7 +22,7 @@ const KEPT: usize = 2;
 const VERSION: u32 = 3;
 const META: &str = "effigy";
 
-/// Where a training stands.
+/// The state of a training.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Checkpoint {
     /// What is learned, and how.
@@ -30,7 +31,7 @@ pub struct Checkpoint {
     pub rows: Rows,
     /// Whether rows were pruned.
     pub pruned: bool,
-    /// Views that were looked at: where the data is.
+    /// Views used so far: the position in the data.
     pub place: u64,
     /// Exposure and white balance of the cameras.
     pub exposure: Exposure,
@@ -38,7 +39,7 @@ pub struct Checkpoint {
     pub refinement: Refinement,
     /// Seconds that the training has taken.
     pub seconds: f64,
-    /// What it learns from: a name of the capture's cameras, frames and pictures.
+    /// A name of the capture's cameras, frames and pictures that it learns from.
     pub data: String,
     /// Minutes that it may take in all, where time decides.
     pub minutes: Option<f64>,
@@ -46,7 +47,7 @@ pub struct Checkpoint {
     pub recipe: String,
 }
 
-/// What no tensor holds.
+/// All that is not in tensors.
 #[derive(Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct Meta {
@@ -60,11 +61,11 @@ struct Meta {
     data: String,
     minutes: Option<f64>,
     recipe: String,
-    /// Of all else, in the order of the file.
+    /// Of everything else, in the order of the file.
     checksum: String,
 }
 
-/// What of it every version has.
+/// The part of [`Meta`] that every version has.
 #[derive(Deserialize)]
 struct Version {
     version: u32,
@@ -95,7 +96,7 @@ impl Checkpoint {
         let bytes = self.encode().map_err(failed)?;
         replace(&path, &bytes)?;
         let files = Self::files(folder).map_err(failed)?;
-        // What is broken is no checkpoint: see `set_aside`.
+        // Broken files do not count as checkpoints: see `set_aside`.
         for old in files.iter().rev().skip(KEPT) {
             fs::remove_file(old).map_err(failed)?;
         }
@@ -104,38 +105,8 @@ impl Checkpoint {
 
     /// The file's bytes.
     fn encode(&self) -> io::Result<Vec<u8>> {
-        let mut bytes: Vec<(String, Dtype, Vec<u8>)> = Vec::new();
-        let kinds = [
-            &self.state.parameters,
-            &self.state.first_moments,
-            &self.state.second_moments,
-        ];
-        for (kind, numbers) in KINDS.iter().zip(kinds) {
-            for (array, numbers) in ARRAYS.iter().zip(numbers.arrays()) {
-                let data = bytemuck::cast_slice(numbers).to_vec();
-                bytes.push((format!("{kind}.{array}"), Dtype::F32, data));
-            }
-        }
-        for (name, rows) in ROWS.iter().zip(&self.rows.gaussian) {
-            bytes.push((
-                name.to_string(),
-                Dtype::U32,
-                bytemuck::cast_slice(rows).to_vec(),
-            ));
-        }
-        for (kind, items) in ITEMS.iter().zip(self.refinement.items()) {
-            let moments = &items.moments;
-            let all: [(Dtype, &[u8]); 4] = [
-                (Dtype::F64, bytemuck::cast_slice(&items.values)),
-                (Dtype::F64, bytemuck::cast_slice(&moments.first)),
-                (Dtype::F64, bytemuck::cast_slice(&moments.second)),
-                (Dtype::U64, bytemuck::cast_slice(&moments.updates)),
-            ];
-            for (what, (dtype, data)) in OF_ITEMS.iter().zip(all) {
-                bytes.push((format!("{kind}.{what}"), dtype, data.to_vec()));
-            }
-        }
-        let meta = Meta {
+        let tensors: Vec<(String, (Dtype, &[u8]))> = names().zip(self.tensors()).collect();
+        let bare = Meta {
             version: VERSION,
             steps: self.state.steps,
             corrective_steps: self.state.corrective_steps,
@@ -148,25 +119,51 @@ impl Checkpoint {
             recipe: self.recipe.clone(),
             checksum: String::new(),
         };
+        let named = tensors.iter().map(|(name, (_, data))| (&name[..], *data));
         let meta = Meta {
-            checksum: meta.checksum(
-                bytes
-                    .iter()
-                    .map(|(name, _, data)| (name.as_str(), &data[..])),
-            ),
-            ..meta
+            checksum: bare.checksum(named),
+            ..bare
         };
         let text = serde_json::to_string(&meta).map_err(io::Error::other)?;
-        let views = bytes
-            .iter()
-            .map(|(name, dtype, data)| {
-                TensorView::new(*dtype, vec![8 * data.len() / dtype.bitsize()], data)
-                    .map(|view| (name.clone(), view))
-                    .map_err(io::Error::other)
+        let views = tensors
+            .into_iter()
+            .map(|(name, (dtype, data))| {
+                let shape = vec![8 * data.len() / dtype.bitsize()];
+                let view = TensorView::new(dtype, shape, data).map_err(io::Error::other)?;
+                Ok((name, view))
             })
             .collect::<io::Result<Vec<_>>>()?;
         let metadata = HashMap::from([(META.to_string(), text)]);
         safetensors::serialize(views, Some(metadata)).map_err(io::Error::other)
+    }
+
+    /// The file's tensors, in the order of [`names`].
+    fn tensors(&self) -> impl Iterator<Item = (Dtype, &[u8])> {
+        let state = &self.state;
+        let kinds = [
+            &state.parameters,
+            &state.first_moments,
+            &state.second_moments,
+        ];
+        let parameters = kinds.into_iter().flat_map(Parameters::arrays);
+        let items = self.refinement.items().into_iter().flat_map(|items| {
+            let moments = &items.moments;
+            [
+                (Dtype::F64, bytemuck::cast_slice(&items.values)),
+                (Dtype::F64, bytemuck::cast_slice(&moments.first)),
+                (Dtype::F64, bytemuck::cast_slice(&moments.second)),
+                (Dtype::U64, bytemuck::cast_slice(&moments.updates)),
+            ]
+        });
+        parameters
+            .map(|array| (Dtype::F32, bytemuck::cast_slice(array)))
+            .chain(
+                self.rows
+                    .gaussian
+                    .iter()
+                    .map(|rows| (Dtype::U32, bytemuck::cast_slice(rows))),
+            )
+            .chain(items)
     }
 
     /// The checkpoints of a folder, the oldest first.
@@ -186,7 +183,7 @@ impl Checkpoint {
         Ok(files)
     }
 
-    /// The last whole checkpoint of a folder, and what is wrong with those after it.
+    /// The last whole checkpoint of a folder, and the broken ones after it.
     ///
     /// # Errors
     /// When the folder can't be read.
@@ -212,83 +209,21 @@ impl Checkpoint {
     /// Reads one.
     ///
     /// # Errors
-    /// When it is cut, changed or of another version; the text says what was found.
+    /// When it is cut, changed or of another version; the text says what is wrong.
     pub fn read(path: &Path) -> Result<Self, String> {
         let bytes = fs::read(path).map_err(|error| error.to_string())?;
-        let whole =
-            |error: safetensors::SafeTensorError| format!("not a whole checkpoint: {error}");
-        let (_, header) = SafeTensors::read_metadata(&bytes).map_err(whole)?;
-        let text = header
-            .metadata()
-            .as_ref()
-            .and_then(|all| all.get(META))
-            .ok_or("no checkpoint of a training")?;
-        let Version { version } = serde_json::from_str(text).map_err(|error| error.to_string())?;
-        if version != VERSION {
-            return Err(format!("version {version}, expected {VERSION}"));
-        }
-        let meta: Meta = serde_json::from_str(text).map_err(|error| error.to_string())?;
-        let tensors = SafeTensors::deserialize(&bytes).map_err(whole)?;
-        let tensor = |name: &str| -> Result<Vec<u8>, String> {
-            let tensor = tensors.tensor(name).map_err(|error| error.to_string())?;
-            Ok(tensor.data().to_vec())
-        };
-        let floats = |name: &str| -> Result<Vec<f32>, String> {
-            Ok(bytemuck::pod_collect_to_vec(&tensor(name)?))
-        };
-        let mut named: Vec<(String, Vec<u8>)> = Vec::new();
-        let numbers = |kind: &str| -> Result<Parameters<f32>, String> {
-            Ok(Parameters {
-                gaussians: floats(&format!("{kind}.gaussians"))?,
-                nodes: floats(&format!("{kind}.nodes"))?,
-                networks: floats(&format!("{kind}.networks"))?,
-                bases: floats(&format!("{kind}.bases"))?,
-            })
-        };
-        for kind in KINDS {
-            for array in ARRAYS {
-                let name = format!("{kind}.{array}");
-                named.push((name.clone(), tensor(&name)?));
-            }
-        }
-        for name in ROWS {
-            named.push((name.to_string(), tensor(name)?));
-        }
-        for kind in ITEMS {
-            for what in OF_ITEMS {
-                let name = format!("{kind}.{what}");
-                named.push((name.clone(), tensor(&name)?));
-            }
-        }
-        let found = meta.checksum(named.iter().map(|(name, data)| (name.as_str(), &data[..])));
-        if found != meta.checksum {
-            return Err(format!("checksum {found}, expected {}", meta.checksum));
-        }
-        let rows = |name: &str| -> Result<Vec<u32>, String> {
-            Ok(bytemuck::pod_collect_to_vec(&tensor(name)?))
-        };
+        let meta = Meta::read(&bytes)?;
+        let tensors = Tensors(SafeTensors::deserialize(&bytes).map_err(not_whole)?);
+        tensors.check(&meta)?;
+        let [parameters, first_moments, second_moments] = [
+            tensors.parameters(KINDS[0])?,
+            tensors.parameters(KINDS[1])?,
+            tensors.parameters(KINDS[2])?,
+        ];
         let lengths = |numbers: &Parameters<f32>| numbers.arrays().map(<[f32]>::len);
-        let [parameters, first_moments, second_moments] =
-            [numbers(KINDS[0])?, numbers(KINDS[1])?, numbers(KINDS[2])?];
         if [&first_moments, &second_moments].map(lengths) != [lengths(&parameters); 2] {
             return Err("moments of another number than the parameters".into());
         }
-        let items = |kind: &str| -> Result<Items, String> {
-            let doubles = |what: &str| -> Result<Vec<f64>, String> {
-                Ok(bytemuck::pod_collect_to_vec(&tensor(&format!(
-                    "{kind}.{what}"
-                ))?))
-            };
-            let updates = bytemuck::pod_collect_to_vec(&tensor(&format!("{kind}.updates"))?);
-            Items::from_arrays(
-                doubles("values")?,
-                doubles("first_moments")?,
-                doubles("second_moments")?,
-                updates,
-            )
-            .ok_or_else(|| format!("{kind} and moments of another number"))
-        };
-        let [poses, cameras, bones] = [items(ITEMS[0])?, items(ITEMS[1])?, items(ITEMS[2])?];
         Ok(Self {
             state: TrainerState {
                 parameters,
@@ -297,17 +232,21 @@ impl Checkpoint {
                 steps: meta.steps,
                 corrective_steps: meta.corrective_steps,
             },
+            refinement: Refinement {
+                poses: tensors.items(ITEMS[0])?,
+                cameras: tensors.items(ITEMS[1])?,
+                bones: tensors.items(ITEMS[2])?,
+            },
             rows: Rows {
-                gaussian: [rows(ROWS[0])?, rows(ROWS[1])?, rows(ROWS[2])?],
+                gaussian: [
+                    tensors.array(ROWS[0])?,
+                    tensors.array(ROWS[1])?,
+                    tensors.array(ROWS[2])?,
+                ],
             },
             pruned: meta.pruned,
             place: meta.place,
             exposure: meta.exposure,
-            refinement: Refinement {
-                poses,
-                cameras,
-                bones,
-            },
             seconds: meta.seconds,
             data: meta.data,
             minutes: meta.minutes,
@@ -316,7 +255,71 @@ impl Checkpoint {
     }
 }
 
-/// What a folder has.
+/// The names of a file's tensors, in the order of its checksum.
+fn names() -> impl Iterator<Item = String> {
+    let products = |kinds: [&'static str; 3], arrays: [&'static str; 4]| {
+        let all = kinds.into_iter();
+        all.flat_map(move |kind| arrays.map(|array| format!("{kind}.{array}")))
+    };
+    products(KINDS, ARRAYS)
+        .chain(ROWS.map(String::from))
+        .chain(products(ITEMS, OF_ITEMS))
+}
+
+/// The tensors of a file.
+struct Tensors<'a>(SafeTensors<'a>);
+
+impl Tensors<'_> {
+    fn bytes(&self, name: &str) -> Result<&[u8], String> {
+        let tensor = self.0.tensor(name).map_err(|error| error.to_string())?;
+        Ok(tensor.data())
+    }
+
+    fn array<T: Pod>(&self, name: &str) -> Result<Vec<T>, String> {
+        Ok(bytemuck::pod_collect_to_vec(self.bytes(name)?))
+    }
+
+    /// Checks that all tensors exist and have the file's checksum.
+    fn check(&self, meta: &Meta) -> Result<(), String> {
+        let names: Vec<String> = names().collect();
+        let named = names
+            .iter()
+            .map(|name| Ok((&name[..], self.bytes(name)?)))
+            .collect::<Result<Vec<_>, String>>()?;
+        let found = meta.checksum(named.into_iter());
+        if found == meta.checksum {
+            return Ok(());
+        }
+        Err(format!("checksum {found}, expected {}", meta.checksum))
+    }
+
+    fn parameters(&self, kind: &str) -> Result<Parameters<f32>, String> {
+        let array = |name: &str| self.array(&format!("{kind}.{name}"));
+        Ok(Parameters {
+            gaussians: array(ARRAYS[0])?,
+            nodes: array(ARRAYS[1])?,
+            networks: array(ARRAYS[2])?,
+            bases: array(ARRAYS[3])?,
+        })
+    }
+
+    fn items(&self, kind: &str) -> Result<Items, String> {
+        let doubles = |name: &str| self.array(&format!("{kind}.{name}"));
+        Items::from_arrays(
+            doubles(OF_ITEMS[0])?,
+            doubles(OF_ITEMS[1])?,
+            doubles(OF_ITEMS[2])?,
+            self.array(&format!("{kind}.{}", OF_ITEMS[3]))?,
+        )
+        .ok_or_else(|| format!("{kind} and moments of another number"))
+    }
+}
+
+fn not_whole(error: SafeTensorError) -> String {
+    format!("not a whole checkpoint: {error}")
+}
+
+/// The checkpoints of a folder.
 pub struct Found {
     /// The last whole checkpoint.
     pub checkpoint: Option<Checkpoint>,
@@ -333,7 +336,7 @@ pub struct Broken {
 }
 
 impl Broken {
-    /// Gives it another ending, so that it counts as no checkpoint any more.
+    /// Gives it another extension, so that it no longer counts as a checkpoint.
     ///
     /// # Errors
     /// When it can't be renamed.
@@ -342,7 +345,7 @@ impl Broken {
     }
 }
 
-/// Deletes what kills left of checkpoints that were being written.
+/// Deletes partly written checkpoints of processes that were killed.
 pub fn remove_parts(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
@@ -355,6 +358,21 @@ pub fn remove_parts(folder: &Path) -> io::Result<()> {
 }
 
 impl Meta {
+    /// The metadata of a file.
+    fn read(bytes: &[u8]) -> Result<Self, String> {
+        let (_, header) = SafeTensors::read_metadata(bytes).map_err(not_whole)?;
+        let text = header
+            .metadata()
+            .as_ref()
+            .and_then(|all| all.get(META))
+            .ok_or("no checkpoint of a training")?;
+        let Version { version } = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        if version != VERSION {
+            return Err(format!("version {version}, expected {VERSION}"));
+        }
+        serde_json::from_str(text).map_err(|error| error.to_string())
+    }
+
     /// A hash of everything but itself and of named bytes, as text.
     fn checksum<'a>(&self, named: impl Iterator<Item = (&'a str, &'a [u8])>) -> String {
         let all = checksum(named);

@@ -7,6 +7,7 @@ use crate::refine::RefineRates;
 use crate::start::Sizes;
 use effigy_core::avatar::Filter;
 use serde::{Deserialize, Serialize};
+use std::fmt::Display;
 use std::ops::RangeInclusive;
 
 /// A training's recipe. Unknown keys are refused, and so are missing ones.
@@ -21,11 +22,11 @@ pub struct Recipe {
     pub sizes: Sizes,
     /// How long it takes.
     pub schedule: Schedule,
-    /// What is made small.
+    /// Weights of the losses.
     pub loss: LossWeights,
-    /// A loss that sees pictures as people do.
+    /// The perceptual loss.
     pub perceptual: PerceptualOptions,
-    /// How far a step goes.
+    /// Learning rates.
     pub rates: RateOptions,
     /// Which basis rows stay.
     pub prune: PruneOptions,
@@ -49,16 +50,16 @@ pub struct Schedule {
     pub refine_share: f64,
 }
 
-/// A loss that sees pictures as people do.
+/// The perceptual loss.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PerceptualOptions {
-    /// Which.
+    /// Which loss.
     pub kind: PerceptualKind,
     /// Its weight.
     pub weight: f64,
     /// Steps from one that has it to the next. Its weight there is as many times as large, which
-    /// makes Adam careful: rather a small part often than a large one seldom.
+    /// makes Adam careful: prefer a small part often to a large one seldom.
     pub every: u64,
     /// Side of the part of a view that it sees, px.
     pub window: u32,
@@ -66,7 +67,7 @@ pub struct PerceptualOptions {
     pub from_share: f64,
 }
 
-/// Which loss that sees pictures as people do.
+/// A perceptual loss.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PerceptualKind {
@@ -84,7 +85,7 @@ pub enum PerceptualKind {
     None,
 }
 
-/// How far a step goes: Adam's rates at the start of the training.
+/// Learning rates: Adam's at the start of the training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RateOptions {
@@ -116,11 +117,11 @@ pub struct RateOptions {
     pub camera: f64,
     /// Of where joints are in their parents, metres, likewise.
     pub bone: f64,
-    /// What is left of the nodes' offsets' rate at the end.
+    /// Share of the nodes' offsets' rate that is left at the end.
     pub node_offset_end: f64,
-    /// What is left of the others at the end, but for those of basis rows.
+    /// Share of the other rates that is left at the end, except those of basis rows.
     pub end: f64,
-    /// What is left of those of basis rows.
+    /// Share of the rates of basis rows that is left at the end.
     pub basis_end: f64,
     /// Weight decay of the networks.
     pub weight_decay: f64,
@@ -169,9 +170,9 @@ impl RateOptions {
 pub struct PruneOptions {
     /// How rows are chosen.
     pub by: PruneBy,
-    /// Rows that stay, of the Gaussians, for each attribute.
+    /// Share of the Gaussians that keep a row, for each attribute.
     pub share: f64,
-    /// Pictures that are looked at where they choose.
+    /// Pictures used by [`PruneBy::Pictures`].
     pub pictures: usize,
 }
 
@@ -206,7 +207,7 @@ impl Preset {
         }
     }
 
-    /// Its file, with what every key means.
+    /// Its file, which explains every key.
     pub fn text(self) -> &'static str {
         match self {
             Self::Paper => include_str!("recipes/paper.toml"),
@@ -241,99 +242,86 @@ impl Recipe {
         self.schedule.iterations + self.schedule.fine_tune
     }
 
+    /// Checks that every number is within its range.
     fn check(&self) -> Result<(), String> {
-        fn within<T: PartialOrd + std::fmt::Display>(
-            what: &str,
-            found: T,
-            range: RangeInclusive<T>,
-        ) -> Result<(), String> {
-            if range.contains(&found) {
-                return Ok(());
-            }
-            let [low, high] = [range.start(), range.end()];
-            Err(format!("{what} is {found}, expected {low} to {high}"))
+        /// Rows of a key and its range.
+        macro_rules! within {
+            ($($section:ident.$key:ident $([$at:literal])? in $range:expr;)*) => {
+                $(within(
+                    concat!(stringify!($section), ".", stringify!($key) $(, "[", $at, "]")?),
+                    self.$section.$key $([$at])?,
+                    $range,
+                )?;)*
+            };
         }
-        let rate = 0.0..=1.0;
-        let share = 0.0..=1.0;
-        within("sizes.gaussians", self.sizes.gaussians, 16..=1_000_000)?;
-        within("sizes.parts", self.sizes.parts, 1..=1024)?;
-        within("sizes.nodes", self.sizes.nodes, 3..=65_536)?;
-        within("sizes.hidden", self.sizes.hidden, 1..=128)?;
-        within("sizes.head_density", self.sizes.head_density, 0.1..=100.0)?;
-        within("sizes.opacity", self.sizes.opacity, 0.01..=0.99)?;
-        within("sizes.thickness", self.sizes.thickness, 0.01..=1.0)?;
-        within("filter.variance", self.filter.variance, Filter::VARIANCES)?;
-        within(
-            "schedule.iterations",
-            self.schedule.iterations,
-            1..=100_000_000,
-        )?;
-        within(
-            "schedule.fine_tune",
-            self.schedule.fine_tune,
-            0..=100_000_000,
-        )?;
-        within("schedule.batch", self.schedule.batch, 1..=64)?;
-        within(
-            "schedule.neutral_share",
-            self.schedule.neutral_share,
-            share.clone(),
-        )?;
-        within(
-            "schedule.refine_share",
-            self.schedule.refine_share,
-            share.clone(),
-        )?;
-        let weights = &self.loss;
-        for (what, weight) in [
-            ("loss.l1", weights.l1),
-            ("loss.scale", weights.scale),
-            ("loss.scale_above", weights.scale_above),
-            ("loss.correctives[0]", weights.correctives[0]),
-            ("loss.correctives[1]", weights.correctives[1]),
-            ("loss.correctives[2]", weights.correctives[2]),
-            ("perceptual.weight", self.perceptual.weight),
-        ] {
-            within(what, weight, 0.0..=1e6)?;
+        within! {
+            sizes.gaussians in 16..=1_000_000;
+            sizes.parts in 1..=1024;
+            sizes.nodes in 3..=65_536;
+            sizes.hidden in 1..=128;
+            sizes.head_density in 0.1..=100.0;
+            sizes.opacity in 0.01..=0.99;
+            sizes.thickness in 0.01..=1.0;
+            filter.variance in Filter::VARIANCES;
+            schedule.iterations in 1..=100_000_000;
+            schedule.fine_tune in 0..=100_000_000;
+            schedule.batch in 1..=64;
+            schedule.neutral_share in SHARE;
+            schedule.refine_share in SHARE;
+            loss.l1 in WEIGHT;
+            loss.scale in WEIGHT;
+            loss.scale_above in WEIGHT;
+            loss.correctives[0] in WEIGHT;
+            loss.correctives[1] in WEIGHT;
+            loss.correctives[2] in WEIGHT;
+            perceptual.weight in WEIGHT;
+            perceptual.every in 1..=1_000_000;
+            perceptual.window in 32..=1024;
+            perceptual.from_share in SHARE;
+            rates.rotation in RATE;
+            rates.log_scale in RATE;
+            rates.opacity in RATE;
+            rates.color in RATE;
+            rates.node_offset in RATE;
+            rates.node_basis in RATE;
+            rates.network in RATE;
+            rates.rotation_basis in RATE;
+            rates.scale_basis in RATE;
+            rates.color_basis in RATE;
+            rates.exposure in RATE;
+            rates.pose in RATE;
+            rates.camera in RATE;
+            rates.bone in RATE;
+            rates.node_offset_end in SHARE;
+            rates.end in SHARE;
+            rates.basis_end in SHARE;
+            rates.weight_decay in RATE;
+            prune.share in SHARE;
+            prune.pictures in 1..=100_000;
+            data.band in 0..=32;
+            data.window in 32..=2040;
+            data.margin in 0.0..=2.0;
+            data.cache_mb in 0..=1_000_000;
+            data.duplicate in 0.0..=1.0;
         }
-        within("perceptual.every", self.perceptual.every, 1..=1_000_000)?;
-        within("perceptual.window", self.perceptual.window, 32..=1024)?;
-        within(
-            "perceptual.from_share",
-            self.perceptual.from_share,
-            share.clone(),
-        )?;
-        let rates = &self.rates;
-        for (what, found) in [
-            ("rates.rotation", rates.rotation),
-            ("rates.log_scale", rates.log_scale),
-            ("rates.opacity", rates.opacity),
-            ("rates.color", rates.color),
-            ("rates.node_offset", rates.node_offset),
-            ("rates.node_basis", rates.node_basis),
-            ("rates.network", rates.network),
-            ("rates.rotation_basis", rates.rotation_basis),
-            ("rates.scale_basis", rates.scale_basis),
-            ("rates.color_basis", rates.color_basis),
-            ("rates.exposure", rates.exposure),
-            ("rates.pose", rates.pose),
-            ("rates.camera", rates.camera),
-            ("rates.bone", rates.bone),
-            ("rates.node_offset_end", rates.node_offset_end),
-            ("rates.end", rates.end),
-            ("rates.basis_end", rates.basis_end),
-            ("rates.weight_decay", rates.weight_decay),
-        ] {
-            within(what, found, rate.clone())?;
-        }
-        within("prune.share", self.prune.share, share)?;
-        within("prune.pictures", self.prune.pictures, 1..=100_000)?;
-        within("data.band", self.data.band, 0..=32)?;
-        within("data.window", self.data.window, 32..=2040)?;
-        within("data.margin", self.data.margin, 0.0..=2.0)?;
-        within("data.cache_mb", self.data.cache_mb, 0..=1_000_000)?;
-        within("data.duplicate", self.data.duplicate, 0.0..=1.0)
+        Ok(())
     }
+}
+
+const SHARE: RangeInclusive<f64> = 0.0..=1.0;
+const RATE: RangeInclusive<f64> = 0.0..=1.0;
+const WEIGHT: RangeInclusive<f64> = 0.0..=1e6;
+
+fn within<T: PartialOrd + Display>(
+    key: &str,
+    found: T,
+    range: RangeInclusive<T>,
+) -> Result<(), String> {
+    if range.contains(&found) {
+        return Ok(());
+    }
+    let [low, high] = [range.start(), range.end()];
+    Err(format!("{key} is {found}, expected {low} to {high}"))
 }
 
 #[cfg(test)]
