@@ -1,7 +1,7 @@
 //! The loss of a step and its derivative in f64: the chain of the stages of
-//! `effigy_core::reference`, each with the derivative that stands beside it.
+//! `effigy_core::reference`, each with the derivative beside it.
 //!
-//! The kernels are held against this, and this against differences of the loss.
+//! Tests compare the kernels with this, and this with finite differences of the loss.
 
 use crate::loss::LossWeights;
 use crate::parameters::{BASIS, COMPONENTS, GAUSSIAN, Layout, Parameters, sigmoid};
@@ -12,15 +12,15 @@ use effigy_core::reference::basis::{combine, combine_backward};
 use effigy_core::reference::mlp::{Neuron, activate, activate_backward, linear, linear_backward};
 use effigy_core::reference::nodes::displacement;
 use effigy_core::reference::project::{
-    Canonical, Culled, Gaussian, GaussianGradient, Splat, pose, pose_backward, project_backward,
-    project_opaque, skinning,
+    Canonical, CanonicalGradient, Culled, Gaussian, GaussianGradient, Splat, pose, pose_backward,
+    project_backward, project_opaque, skinning,
 };
 use effigy_core::reference::raster::{Canvas, Cutoff, raster_backward, raster_with};
 use effigy_core::reference::sort;
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
-/// All that a step's loss depends on but what is learned.
+/// All that a step's loss depends on, except what is learned.
 #[derive(Clone, Copy)]
 pub struct Problem<'a> {
     /// What stays as it is.
@@ -37,7 +37,7 @@ pub struct Problem<'a> {
     pub cutoff: Cutoff,
 }
 
-/// Everything that a view's stages found.
+/// The results of all stages of a view.
 pub struct Forward {
     /// The results of each layer of each part's network.
     pub activations: Vec<Vec<Vec<f64>>>,
@@ -65,54 +65,19 @@ impl Problem<'_> {
     /// Runs the stages for a view.
     pub fn forward(&self, p: &Parameters<f64>, view: &View) -> Forward {
         let topology = self.topology;
+        let count = topology.gaussians.len();
         let activations: Vec<Vec<Vec<f64>>> = (0..topology.parts())
             .into_par_iter()
             .map(|part| self.network(p, part, &self.entered(view, part)))
             .collect();
-        let features = |part: usize| activations[part].last().map_or(&[][..], Vec::as_slice);
         let nodes: Vec<DVec3> = (0..topology.nodes())
-            .map(|node| {
-                let offset = DVec3::from_slice(&p.nodes[3 * node..]);
-                if !self.correctives {
-                    return offset;
-                }
-                let e = &features(usize::from(topology.node_part[node]))[BASIS..];
-                let basis = Row::Doubles(&p.nodes[self.layout.node_basis(node)]);
-                offset + DVec3::from(combine::<3>(basis, e))
-            })
+            .map(|node| self.node(p, node, &activations))
             .collect();
-        let count = topology.gaussians.len();
         let correctives: Vec<[f64; 10]> = (0..count)
-            .map(|k| {
-                let e = &features(usize::from(topology.gaussians[k].part))[..BASIS];
-                let mut all = [0.0; 10];
-                let mut at = 0;
-                for (attribute, components) in COMPONENTS.into_iter().enumerate() {
-                    if let Some(row) = self.row(attribute, k) {
-                        let basis = &p.bases[self.layout.row(attribute, row)];
-                        for (c, functions) in basis.chunks_exact(BASIS).enumerate() {
-                            all[at + c] = Row::Doubles(functions).dot(e);
-                        }
-                    }
-                    at += components;
-                }
-                all
-            })
+            .map(|k| self.correctives(p, k, &activations))
             .collect();
         let canonical: Vec<Canonical> = (0..count)
-            .map(|k| {
-                let placed = &topology.gaussians[k];
-                let own = &p.gaussians[k * GAUSSIAN..][..GAUSSIAN];
-                let delta = &correctives[k];
-                Canonical {
-                    position: placed.position
-                        + displacement(placed.node_weight, placed.node, &nodes),
-                    neutral_rotation: std::array::from_fn(|c| own[c]),
-                    rotation_corrective: std::array::from_fn(|c| delta[c]),
-                    log_scale: DVec3::from_slice(&own[4..]) + DVec3::from_slice(&delta[4..]),
-                    color: DVec3::from_slice(&own[8..]) + DVec3::from_slice(&delta[7..]),
-                }
-            })
+            .map(|k| self.canonical(p, k, &nodes, &correctives[k]))
             .collect();
         let skinning: Vec<DAffine3> = topology
             .gaussians
@@ -147,6 +112,60 @@ impl Problem<'_> {
             splats,
             order,
             canvas,
+        }
+    }
+
+    /// Displacement of a node.
+    fn node(&self, p: &Parameters<f64>, node: usize, activations: &[Vec<Vec<f64>>]) -> DVec3 {
+        let offset = DVec3::from_slice(&p.nodes[3 * node..]);
+        if !self.correctives {
+            return offset;
+        }
+        let part = usize::from(self.topology.node_part[node]);
+        let e = &features(&activations[part])[BASIS..];
+        let basis = Row::Doubles(&p.nodes[self.layout.node_basis(node)]);
+        offset + DVec3::from(combine::<3>(basis, e))
+    }
+
+    /// δr, δs and δc of a Gaussian.
+    fn correctives(
+        &self,
+        p: &Parameters<f64>,
+        gaussian: usize,
+        activations: &[Vec<Vec<f64>>],
+    ) -> [f64; 10] {
+        let part = usize::from(self.topology.gaussians[gaussian].part);
+        let e = &features(&activations[part])[..BASIS];
+        let mut all = [0.0; 10];
+        let mut at = 0;
+        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+            if let Some(row) = self.row(attribute, gaussian) {
+                let basis = &p.bases[self.layout.row(attribute, row)];
+                for (c, functions) in basis.chunks_exact(BASIS).enumerate() {
+                    all[at + c] = Row::Doubles(functions).dot(e);
+                }
+            }
+            at += components;
+        }
+        all
+    }
+
+    /// A Gaussian in canonical space. `delta`: its correctives.
+    fn canonical(
+        &self,
+        p: &Parameters<f64>,
+        gaussian: usize,
+        nodes: &[DVec3],
+        delta: &[f64; 10],
+    ) -> Canonical {
+        let placed = &self.topology.gaussians[gaussian];
+        let own = &p.gaussians[gaussian * GAUSSIAN..][..GAUSSIAN];
+        Canonical {
+            position: placed.position + displacement(placed.node_weight, placed.node, nodes),
+            neutral_rotation: std::array::from_fn(|c| own[c]),
+            rotation_corrective: std::array::from_fn(|c| delta[c]),
+            log_scale: DVec3::from_slice(&own[4..]) + DVec3::from_slice(&delta[4..]),
+            color: DVec3::from_slice(&own[8..]) + DVec3::from_slice(&delta[7..]),
         }
     }
 
@@ -186,25 +205,10 @@ impl Problem<'_> {
     ) {
         let topology = self.topology;
         let of_gaussians = self.of_gaussians(view, forward, of_canvas);
-        let count = topology.gaussians.len();
-        let numbers = 3.0 * count as f64;
         let mut of_nodes = vec![DVec3::ZERO; topology.nodes()];
         let mut of_features = vec![vec![0.0; 2 * BASIS]; topology.parts()];
         for (k, placed) in topology.gaussians.iter().enumerate() {
-            let part = usize::from(placed.part);
-            let canonical = &forward.canonical[k];
-            let of_gaussian = &of_gaussians[k];
-            let of = pose_backward(canonical, &forward.skinning[k], of_gaussian);
-            let mut of_log_scale = of.log_scale;
-            for (of, s) in of_log_scale
-                .as_mut()
-                .iter_mut()
-                .zip(canonical.log_scale.exp().to_array())
-            {
-                if s > self.weights.scale_above {
-                    *of += self.weights.scale * s / numbers;
-                }
-            }
+            let of = self.canonical_backward(k, forward, &of_gaussians[k]);
             let own = &mut total.gaussians[k * GAUSSIAN..][..GAUSSIAN];
             let mut add = |at: usize, of: &[f64]| {
                 for (own, of) in own[at..].iter_mut().zip(of) {
@@ -212,66 +216,109 @@ impl Problem<'_> {
                 }
             };
             add(0, &of.rotation);
-            add(4, &of_log_scale.to_array());
+            add(4, &of.log_scale.to_array());
             let o = forward.opacity[k] / 255.0;
-            add(7, &[of_gaussian.opacity * 255.0 * o * (1.0 - o)]);
+            add(7, &[of_gaussians[k].opacity * 255.0 * o * (1.0 - o)]);
             add(8, &of.color.to_array());
             for (&node, &weight) in placed.node.iter().zip(&placed.node_weight) {
                 of_nodes[usize::from(node)] += weight * of.position;
             }
-            // To the correctives, which have a loss of their own.
-            let mut of_delta: Vec<f64> = of.rotation.to_vec();
-            of_delta.extend(of_log_scale.to_array());
-            of_delta.extend(of.color.to_array());
-            let e = forward.activations[part]
-                .last()
-                .map_or(&[][..], Vec::as_slice);
-            let mut at = 0;
-            for (attribute, components) in COMPONENTS.into_iter().enumerate() {
-                let weight =
-                    self.weights.correctives[attribute] / (components as f64 * count as f64);
-                if let Some(row) = self.row(attribute, k) {
-                    let place = self.layout.row(attribute, row);
-                    for c in 0..components {
-                        let of = of_delta[at + c] + weight * sign(forward.correctives[k][at + c]);
-                        let functions = place.start + c * BASIS;
-                        for b in 0..BASIS {
-                            total.bases[functions + b] += of * e[b];
-                            of_features[part][b] += of * p.bases[functions + b];
-                        }
-                    }
-                }
-                at += components;
-            }
+            let of_part = &mut of_features[usize::from(placed.part)];
+            self.correctives_backward(p, k, forward, &of, of_part, total);
         }
-        for (node, of) in of_nodes.iter().enumerate() {
-            let part = usize::from(topology.node_part[node]);
-            for c in 0..3 {
-                total.nodes[3 * node + c] += of[c];
-            }
-            if !self.correctives {
-                continue;
-            }
-            let place = self.layout.node_basis(node);
-            let e = &forward.activations[part][topology.layers() - 1][BASIS..];
-            for (at, number) in total.nodes[place.clone()].iter_mut().enumerate() {
-                *number += of[at / BASIS] * e[at % BASIS];
-            }
-            let basis = Row::Doubles(&p.nodes[place]);
-            combine_backward(basis, of.to_array(), &mut of_features[part][BASIS..]);
+        for (node, &of) in of_nodes.iter().enumerate() {
+            let of_part = &mut of_features[usize::from(topology.node_part[node])];
+            self.node_backward(p, node, forward, of, of_part, total);
         }
         if self.correctives {
             for (part, of_features) in of_features.iter().enumerate() {
-                self.network_backward(
-                    p,
-                    view,
-                    part,
-                    &forward.activations[part],
-                    of_features,
-                    total,
-                );
+                let activations = &forward.activations[part];
+                self.network_backward(p, view, part, activations, of_features, total);
             }
         }
+    }
+
+    /// The derivative with respect to a Gaussian in canonical space, the loss of scales included.
+    fn canonical_backward(
+        &self,
+        gaussian: usize,
+        forward: &Forward,
+        of_gaussian: &GaussianGradient,
+    ) -> CanonicalGradient {
+        let canonical = &forward.canonical[gaussian];
+        let numbers = 3.0 * forward.canonical.len() as f64;
+        let mut of = pose_backward(canonical, &forward.skinning[gaussian], of_gaussian);
+        let scale = canonical.log_scale.exp();
+        for c in 0..3 {
+            if scale[c] > self.weights.scale_above {
+                of.log_scale[c] += self.weights.scale * scale[c] / numbers;
+            }
+        }
+        of
+    }
+
+    /// Adds the derivatives of a Gaussian's basis rows and, to `of_features`, of its part's
+    /// features. `of`: with respect to the Gaussian in canonical space. Correctives have a loss of
+    /// their own.
+    fn correctives_backward(
+        &self,
+        p: &Parameters<f64>,
+        gaussian: usize,
+        forward: &Forward,
+        of: &CanonicalGradient,
+        of_features: &mut [f64],
+        total: &mut Parameters<f64>,
+    ) {
+        let count = forward.canonical.len() as f64;
+        let delta = &forward.correctives[gaussian];
+        let mut of_delta: Vec<f64> = of.rotation.to_vec();
+        of_delta.extend(of.log_scale.to_array());
+        of_delta.extend(of.color.to_array());
+        let part = usize::from(self.topology.gaussians[gaussian].part);
+        let e = features(&forward.activations[part]);
+        let mut at = 0;
+        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+            let weight = self.weights.correctives[attribute] / (components as f64 * count);
+            if let Some(row) = self.row(attribute, gaussian) {
+                let first = self.layout.row(attribute, row).start;
+                for c in 0..components {
+                    let of = of_delta[at + c] + weight * sign(delta[at + c]);
+                    let functions = first + c * BASIS;
+                    for b in 0..BASIS {
+                        total.bases[functions + b] += of * e[b];
+                        of_features[b] += of * p.bases[functions + b];
+                    }
+                }
+            }
+            at += components;
+        }
+    }
+
+    /// Adds the derivatives of a node's offset and basis and, to `of_features`, of its part's
+    /// features. `of`: with respect to its displacement.
+    fn node_backward(
+        &self,
+        p: &Parameters<f64>,
+        node: usize,
+        forward: &Forward,
+        of: DVec3,
+        of_features: &mut [f64],
+        total: &mut Parameters<f64>,
+    ) {
+        for c in 0..3 {
+            total.nodes[3 * node + c] += of[c];
+        }
+        if !self.correctives {
+            return;
+        }
+        let place = self.layout.node_basis(node);
+        let part = usize::from(self.topology.node_part[node]);
+        let e = &features(&forward.activations[part])[BASIS..];
+        for (at, number) in total.nodes[place.clone()].iter_mut().enumerate() {
+            *number += of[at / BASIS] * e[at % BASIS];
+        }
+        let basis = Row::Doubles(&p.nodes[place]);
+        combine_backward(basis, of.to_array(), &mut of_features[BASIS..]);
     }
 
     /// The derivative of a loss of the image with respect to each posed Gaussian.
@@ -304,8 +351,8 @@ impl Problem<'_> {
             .collect()
     }
 
-    /// The derivative of a loss of the image with respect to G of each joint. What the networks
-    /// make of another pose is no part of it.
+    /// The derivative of a loss of the image with respect to G of each joint. The networks' inputs
+    /// are held fixed.
     pub fn joints_gradient(
         &self,
         view: &View,
@@ -330,13 +377,13 @@ impl Problem<'_> {
         joints
     }
 
-    /// The row of an attribute that a Gaussian has, where there are correctives.
+    /// The row of an attribute of a Gaussian, where there are correctives.
     fn row(&self, attribute: usize, gaussian: usize) -> Option<usize> {
         let row = self.rows.row(attribute, gaussian);
         row.filter(|_| self.correctives)
     }
 
-    /// What enters a part's network.
+    /// The input of a part's network.
     fn entered(&self, view: &View, part: usize) -> Vec<f64> {
         let mut entered = view.input.clone();
         if part >= self.topology.head_parts {
@@ -473,18 +520,23 @@ impl Problem<'_> {
     }
 }
 
+/// The features of a part: its last layer's results.
+fn features(activations: &[Vec<f64>]) -> &[f64] {
+    activations.last().map_or(&[], Vec::as_slice)
+}
+
 /// −1, 0 or 1.
 fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
-/// A pixel of the image over what is behind the avatar.
+/// A pixel of the image over its background.
 fn over(canvas: &Canvas, view: &View, at: usize) -> DVec3 {
     let [r, g, b, coverage] = canvas.pixels[at];
     view.gain * DVec3::new(r, g, b) + (1.0 - coverage) * view.picture.background(at)
 }
 
-/// Image less picture at a pixel; None where nothing is known of the picture.
+/// Image minus picture at a pixel; None where the picture is unknown.
 fn difference(canvas: &Canvas, view: &View, at: usize) -> Option<DVec3> {
     if view.picture.shows(at) == Shows::Unknown {
         return None;

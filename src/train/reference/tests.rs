@@ -20,60 +20,14 @@ struct Scene {
     views: Vec<View>,
 }
 
+const GAUSSIANS: usize = 30;
+const PARTS: usize = 3;
+const NODES: usize = 7;
+
 impl Scene {
     fn new(seed: u64, filter: Filter) -> Self {
-        const GAUSSIANS: usize = 30;
-        const PARTS: usize = 3;
-        const NODES: usize = 7;
         let mut random = Random::new(seed, 0);
-        let position = |random: &mut Random| {
-            DVec3::new(
-                random.range(-0.4, 0.4),
-                random.range(-0.4, 0.4),
-                random.range(-0.2, 0.2),
-            )
-        };
-        let gaussians: Vec<Placed> = (0..GAUSSIANS)
-            .map(|k| {
-                let weights = [0, 1, 2].map(|_| random.range(0.1, 1.0));
-                let sum: f64 = weights.iter().sum();
-                Placed {
-                    position: position(&mut random),
-                    node: std::array::from_fn(|c| ((k + 2 * c) % NODES) as u16),
-                    node_weight: weights.map(|w| w / sum),
-                    part: (k * PARTS / GAUSSIANS) as u16,
-                    joint: [0, 1, 2, 0],
-                    joint_weight: [100, 100, 55, 0],
-                }
-            })
-            .collect();
-        let mut followers = vec![Vec::new(); NODES];
-        for (k, placed) in gaussians.iter().enumerate() {
-            for (&node, &weight) in placed.node.iter().zip(&placed.node_weight) {
-                followers[usize::from(node)].push(Follower {
-                    gaussian: k as u32,
-                    weight,
-                });
-            }
-        }
-        let node_part: Vec<u16> = (0..NODES).map(|s| (s % PARTS) as u16).collect();
-        let mut part_nodes = vec![Vec::new(); PARTS];
-        for (node, &part) in node_part.iter().enumerate() {
-            part_nodes[usize::from(part)].push(node as u32);
-        }
-        let topology = Topology {
-            gaussians,
-            part_start: vec![0, 10, 20, 30],
-            head_parts: 1,
-            node_part,
-            followers,
-            part_nodes,
-            widths: vec![8, 6, 5, 2 * BASIS],
-            expression_start: 6,
-            activation: Activation::LeakyRelu,
-            joints: JOINTS,
-            filter,
-        };
+        let topology = topology(&mut random, filter);
         // Some have no row.
         let keep = |step: usize| {
             (0..GAUSSIANS as u32)
@@ -84,63 +38,8 @@ impl Scene {
             gaussian: [keep(3), keep(4), keep(5)],
         };
         let layout = Layout::new(&topology, &rows);
-        let mut parameters = Parameters::zeros(&layout);
-        for numbers in parameters.gaussians.chunks_exact_mut(GAUSSIAN) {
-            for number in &mut numbers[..4] {
-                *number = random.normal();
-            }
-            for number in &mut numbers[4..7] {
-                *number = random.range(0.02, 0.12).ln();
-            }
-            // Some are too faint to be drawn.
-            numbers[7] = random.range(-1.0, 2.0) - if random.uniform() < 0.1 { 8.0 } else { 0.0 };
-            for number in &mut numbers[8..11] {
-                *number = random.range(0.2, 0.8);
-            }
-        }
-        for number in &mut parameters.nodes {
-            *number = 0.01 * random.normal();
-        }
-        for number in parameters.networks.iter_mut() {
-            *number = 0.4 * random.normal();
-        }
-        for number in &mut parameters.bases {
-            *number = 0.02 * random.normal();
-        }
-        let views = (0..2)
-            .map(|v| {
-                let yaw = 0.7 * f64::from(v) - 0.2;
-                let pixels = (0..SIZE[0] * SIZE[1])
-                    .map(|at| {
-                        let color = [0; 3].map(|_| (random.bits() >> 56) as u8);
-                        let alpha = [0, 85, 170, 255][at as usize % 4];
-                        [color[0], color[1], color[2], alpha]
-                    })
-                    .collect();
-                let behind = (0..SIZE[0] * SIZE[1])
-                    .map(|at| [77, 153, (at % 100) as u8, 0])
-                    .collect();
-                View {
-                    joints: (0..JOINTS)
-                        .map(|_| {
-                            let mut joint = DAffine3::from_translation(0.05 * random.direction());
-                            joint.matrix3.x_axis.y = 0.1 * random.normal();
-                            joint.matrix3.z_axis.x = 0.1 * random.normal();
-                            joint
-                        })
-                        .collect(),
-                    input: (0..8).map(|_| random.normal()).collect(),
-                    camera: Camera::orbit(DVec3::ZERO, yaw, 0.1, 2.0, 0.5, SIZE),
-                    gain: DVec3::new(1.1, 0.9, 0.95),
-                    whole: 2 * u64::from(SIZE[0] * SIZE[1]),
-                    picture: Arc::new(Picture {
-                        size: SIZE,
-                        pixels,
-                        behind,
-                    }),
-                }
-            })
-            .collect();
+        let parameters = parameters(&mut random, &layout);
+        let views = (0..2).map(|v| view(&mut random, v)).collect();
         Self {
             topology,
             rows,
@@ -173,6 +72,118 @@ impl Scene {
             problem.loss(&moved, &self.views)
         };
         (at(step) - at(-step)) / (2.0 * step)
+    }
+}
+
+fn topology(random: &mut Random, filter: Filter) -> Topology {
+    let position = |random: &mut Random| {
+        DVec3::new(
+            random.range(-0.4, 0.4),
+            random.range(-0.4, 0.4),
+            random.range(-0.2, 0.2),
+        )
+    };
+    let gaussians: Vec<Placed> = (0..GAUSSIANS)
+        .map(|k| {
+            let weights = [0, 1, 2].map(|_| random.range(0.1, 1.0));
+            let sum: f64 = weights.iter().sum();
+            Placed {
+                position: position(random),
+                node: std::array::from_fn(|c| ((k + 2 * c) % NODES) as u16),
+                node_weight: weights.map(|w| w / sum),
+                part: (k * PARTS / GAUSSIANS) as u16,
+                joint: [0, 1, 2, 0],
+                joint_weight: [100, 100, 55, 0],
+            }
+        })
+        .collect();
+    let mut followers = vec![Vec::new(); NODES];
+    for (k, placed) in gaussians.iter().enumerate() {
+        for (&node, &weight) in placed.node.iter().zip(&placed.node_weight) {
+            followers[usize::from(node)].push(Follower {
+                gaussian: k as u32,
+                weight,
+            });
+        }
+    }
+    let node_part: Vec<u16> = (0..NODES).map(|s| (s % PARTS) as u16).collect();
+    let mut part_nodes = vec![Vec::new(); PARTS];
+    for (node, &part) in node_part.iter().enumerate() {
+        part_nodes[usize::from(part)].push(node as u32);
+    }
+    Topology {
+        gaussians,
+        part_start: vec![0, 10, 20, 30],
+        head_parts: 1,
+        node_part,
+        followers,
+        part_nodes,
+        widths: vec![8, 6, 5, 2 * BASIS],
+        expression_start: 6,
+        activation: Activation::LeakyRelu,
+        joints: JOINTS,
+        filter,
+    }
+}
+
+fn parameters(random: &mut Random, layout: &Layout) -> Parameters<f64> {
+    let mut parameters = Parameters::zeros(layout);
+    for numbers in parameters.gaussians.chunks_exact_mut(GAUSSIAN) {
+        for number in &mut numbers[..4] {
+            *number = random.normal();
+        }
+        for number in &mut numbers[4..7] {
+            *number = random.range(0.02, 0.12).ln();
+        }
+        // Some are too faint to be drawn.
+        numbers[7] = random.range(-1.0, 2.0) - if random.uniform() < 0.1 { 8.0 } else { 0.0 };
+        for number in &mut numbers[8..11] {
+            *number = random.range(0.2, 0.8);
+        }
+    }
+    for number in &mut parameters.nodes {
+        *number = 0.01 * random.normal();
+    }
+    for number in parameters.networks.iter_mut() {
+        *number = 0.4 * random.normal();
+    }
+    for number in &mut parameters.bases {
+        *number = 0.02 * random.normal();
+    }
+    parameters
+}
+
+/// A view from a side of its own.
+fn view(random: &mut Random, number: u32) -> View {
+    let yaw = 0.7 * f64::from(number) - 0.2;
+    let pixels = (0..SIZE[0] * SIZE[1])
+        .map(|at| {
+            let color = [0; 3].map(|_| (random.bits() >> 56) as u8);
+            let alpha = [0, 85, 170, 255][at as usize % 4];
+            [color[0], color[1], color[2], alpha]
+        })
+        .collect();
+    let behind = (0..SIZE[0] * SIZE[1])
+        .map(|at| [77, 153, (at % 100) as u8, 0])
+        .collect();
+    View {
+        joints: (0..JOINTS)
+            .map(|_| {
+                let mut joint = DAffine3::from_translation(0.05 * random.direction());
+                joint.matrix3.x_axis.y = 0.1 * random.normal();
+                joint.matrix3.z_axis.x = 0.1 * random.normal();
+                joint
+            })
+            .collect(),
+        input: (0..8).map(|_| random.normal()).collect(),
+        camera: Camera::orbit(DVec3::ZERO, yaw, 0.1, 2.0, 0.5, SIZE),
+        gain: DVec3::new(1.1, 0.9, 0.95),
+        whole: 2 * u64::from(SIZE[0] * SIZE[1]),
+        picture: Arc::new(Picture {
+            size: SIZE,
+            pixels,
+            behind,
+        }),
     }
 }
 
