@@ -10,7 +10,7 @@ use crate::{
     left_out::{LeftOut, MaskLook, Reason},
     limits,
     mask::MaskRule,
-    poses::{self, Poses},
+    poses::{self, Hands, Poses},
     split::Split,
     template, units,
 };
@@ -77,44 +77,19 @@ impl Capture {
         template.expression = poses.expression();
 
         let mut left_out = Vec::new();
-        let listed = listed(folder)?;
+        let search = Search {
+            folder,
+            layout,
+            listed: listed(folder)?,
+            poses: poses.frames,
+        };
         let views: Vec<View> = calibration
             .cameras
             .into_iter()
-            .filter_map(|named| {
-                View::find(folder, layout, named, &listed, poses.frames, &mut left_out)
-            })
+            .filter_map(|named| search.view(named, &mut left_out))
             .collect();
-
-        let mut frames = Vec::new();
-        let mut files = Vec::new();
-        for number in 0..poses.frames as u32 {
-            let row: Vec<Option<Files>> = views
-                .iter()
-                .map(|view| view.files.get(&number).cloned())
-                .collect();
-            if row.iter().all(Option::is_none) {
-                continue;
-            }
-            match poses.pose(number as usize, &model.hands) {
-                Ok(pose) => {
-                    files.extend(row);
-                    frames.push(CaptureFrame {
-                        number,
-                        pose,
-                        held: split.frames.contains(&number),
-                    });
-                }
-                Err(fault) => left_out.push(LeftOut {
-                    file: folder.join(poses::FILE),
-                    camera: None,
-                    frame: Some(number),
-                    reason: Reason::Pose(fault),
-                }),
-            }
-        }
-        let rules = vec![MaskRule::default(); views.len()];
-        let cameras = views
+        let (frames, files) = frames(folder, &poses, &model.hands, &split, &views, &mut left_out);
+        let cameras: Vec<CaptureCamera> = views
             .into_iter()
             .map(|view| CaptureCamera {
                 held: split.cameras.contains(&view.camera.name),
@@ -123,13 +98,13 @@ impl Capture {
             .collect();
         let capture = Self {
             folder: folder.into(),
+            rules: vec![MaskRule::default(); cameras.len()],
             cameras,
             frames,
             template,
             left_out,
             assumptions: poses.assumptions(&model.hands),
             masks: MaskLook::default(),
-            rules,
             files,
         };
         let mut capture = capture.unless_empty()?;
@@ -143,6 +118,46 @@ impl Capture {
         capture.look_at_masks();
         Ok(capture)
     }
+}
+
+/// The frames that have a picture and a usable pose, and the files of each by each camera, frame
+/// after frame.
+fn frames(
+    folder: &Path,
+    poses: &Poses,
+    hands: &Hands,
+    split: &Split,
+    views: &[View],
+    left_out: &mut Vec<LeftOut>,
+) -> (Vec<CaptureFrame>, Vec<Option<Files>>) {
+    let mut frames = Vec::new();
+    let mut files = Vec::new();
+    for number in 0..poses.frames as u32 {
+        let row: Vec<Option<Files>> = views
+            .iter()
+            .map(|view| view.files.get(&number).cloned())
+            .collect();
+        if row.iter().all(Option::is_none) {
+            continue;
+        }
+        match poses.pose(number as usize, hands) {
+            Ok(pose) => {
+                files.extend(row);
+                frames.push(CaptureFrame {
+                    number,
+                    pose,
+                    held: split.frames.contains(&number),
+                });
+            }
+            Err(fault) => left_out.push(LeftOut {
+                file: folder.join(poses::FILE),
+                camera: None,
+                frame: Some(number),
+                reason: Reason::Pose(fault),
+            }),
+        }
+    }
+    (frames, files)
 }
 
 /// A camera with its files.
@@ -163,13 +178,6 @@ fn listed(folder: &Path) -> Result<HashSet<String>, CaptureError> {
     // On Windows or elsewhere, from the folder or from above it.
     let paths = lines.lines().map(|line| line.trim().replace('\\', "/"));
     Ok(paths.filter(|line| !line.is_empty()).collect())
-}
-
-/// Whether a list has a file; `path` is relative to the folder.
-fn is_listed(listed: &HashSet<String>, path: &str) -> bool {
-    let parts: Vec<&str> = path.split('/').collect();
-    // Lists name pictures with or without the first folder.
-    (0..parts.len().saturating_sub(1)).any(|from| listed.contains(&parts[from..].join("/")))
 }
 
 /// The pictures of a folder by number.
@@ -238,63 +246,94 @@ fn is_picture(path: &Path) -> bool {
     ["png", "jpg", "jpeg"].contains(&&*ending.to_ascii_lowercase())
 }
 
-impl View {
-    /// Finds a camera's files. None, with what is wrong in `left_out`: the camera is of no use.
-    fn find(
-        folder: &Path,
-        layout: &Layout,
-        named: Named,
-        listed: &HashSet<String>,
-        poses: usize,
-        left_out: &mut Vec<LeftOut>,
-    ) -> Option<Self> {
+/// Where a capture's pictures are searched for.
+struct Search<'a> {
+    folder: &'a Path,
+    layout: &'a Layout,
+    /// See [`listed`].
+    listed: HashSet<String>,
+    /// Number of poses.
+    poses: usize,
+}
+
+/// A camera's files, and why some can't be used.
+struct Sorted {
+    files: BTreeMap<u32, Files>,
+    left_out: Vec<(PathBuf, u32, Reason)>,
+}
+
+impl Search<'_> {
+    /// Finds a camera's files. None: the camera can't be used, for the reason in `left_out`.
+    fn view(&self, named: Named, left_out: &mut Vec<LeftOut>) -> Option<View> {
         let Named { name, entry } = named;
-        let mut leave_out = |file: PathBuf, frame: Option<u32>, reason| {
-            left_out.push(LeftOut {
-                file,
-                camera: Some(name.clone()),
-                frame,
-                reason,
-            });
+        let found = self.pictures(&name).and_then(|(pictures, masks)| {
+            let headers: Vec<Header> = pictures
+                .files
+                .par_iter()
+                .map(|(number, picture)| Header::read(*number, picture, masks.files.get(number)))
+                .collect();
+            let size = entry.size().or_else(|| commonest(&headers));
+            // Without any picture, any size will do.
+            let camera = entry.camera(&name, size.unwrap_or([1, 1]))?;
+            let sorted = self.sort(&name, camera.camera.size, &headers, &pictures, &masks);
+            Ok((camera, sorted))
+        });
+        let leave_out = |file, frame, reason| LeftOut {
+            file,
+            camera: Some(name.clone()),
+            frame,
+            reason,
         };
-        let calibration = folder.join(layout.calibration);
-        let [picture_folder, mask_folder] = [(layout.pictures)(&name), (layout.masks)(&name)];
-        let read = |below: &str| Numbered::read(&folder.join(below), layout.number);
-        let (pictures, masks) = match (read(&picture_folder), read(&mask_folder)) {
-            (Ok(pictures), Ok(masks)) => (pictures, masks),
-            (Err(error), _) | (_, Err(error)) => {
-                let fault = FormatError::container(error, "its pictures");
-                leave_out(calibration, None, Reason::Camera(fault));
-                return None;
+        match found {
+            Ok((camera, sorted)) => {
+                let all = sorted.left_out.into_iter();
+                left_out.extend(
+                    all.map(|(file, number, reason)| leave_out(file, Some(number), reason)),
+                );
+                Some(View {
+                    camera,
+                    files: sorted.files,
+                })
             }
-        };
-        let headers: Vec<Header> = pictures
-            .files
-            .par_iter()
-            .map(|(number, picture)| Header::read(*number, picture, masks.files.get(number)))
-            .collect();
-        let size = entry.size().or_else(|| commonest(&headers));
-        // No picture at all: any size does.
-        let camera = match entry.camera(&name, size.unwrap_or([1, 1])) {
-            Ok(camera) => camera,
             Err(fault) => {
-                leave_out(calibration, None, Reason::Camera(fault));
-                return None;
+                let calibration = self.folder.join(self.layout.calibration);
+                left_out.push(leave_out(calibration, None, Reason::Camera(fault)));
+                None
             }
+        }
+    }
+
+    /// The pictures and masks of a camera.
+    fn pictures(&self, camera: &str) -> Result<(Numbered, Numbered), FormatError> {
+        let read = |below: String| {
+            Numbered::read(&self.folder.join(below), self.layout.number)
+                .map_err(|error| FormatError::container(error, "its pictures"))
         };
-        let expected = camera.camera.size;
+        Ok((
+            read((self.layout.pictures)(camera))?,
+            read((self.layout.masks)(camera))?,
+        ))
+    }
+
+    /// Sorts a camera's pictures, and those that are missing, by whether they can be used. `size`:
+    /// of the camera.
+    fn sort(
+        &self,
+        camera: &str,
+        size: Size,
+        headers: &[Header],
+        pictures: &Numbered,
+        masks: &Numbered,
+    ) -> Sorted {
         let mut files = BTreeMap::new();
-        let relative = |path: &Path| {
-            let path = path.strip_prefix(folder).unwrap_or(path);
-            path.to_string_lossy().replace('\\', "/")
-        };
-        for header in &headers {
+        let mut left_out = Vec::new();
+        for header in headers {
             let number = header.number;
             let picture = &pictures.files[&number];
             let mask = masks.files.get(&number);
-            match header.fault(expected, poses, &masks) {
-                _ if is_listed(listed, &relative(picture)) => {
-                    leave_out(picture.clone(), Some(number), Reason::Listed);
+            match header.fault(size, self.poses, masks) {
+                _ if self.is_listed(picture) => {
+                    left_out.push((picture.clone(), number, Reason::Listed));
                 }
                 None => {
                     let mask = mask.unwrap_or(picture).clone();
@@ -304,33 +343,38 @@ impl View {
                 Some(HeaderFault { of_mask, reason }) => {
                     let file = match mask {
                         Some(mask) if of_mask => mask.clone(),
-                        None if of_mask => like(picture, &folder.join(&mask_folder)),
+                        None if of_mask => {
+                            like(picture, &self.folder.join((self.layout.masks)(camera)))
+                        }
                         _ => picture.clone(),
                     };
-                    leave_out(file, Some(number), reason);
+                    left_out.push((file, number, reason));
                 }
             }
         }
-        // What is not there, up to the last pose.
-        for number in 0..poses as u32 {
-            if pictures.files.contains_key(&number) {
-                continue;
-            }
-            let file = folder
-                .join(&picture_folder)
-                .join(format!("{number:08}.png"));
-            let jpeg = file.with_extension("jpg");
-            let known = [&file, &jpeg]
-                .iter()
-                .any(|file| is_listed(listed, &relative(file)));
-            let reason = if known {
+        let folder = self.folder.join((self.layout.pictures)(camera));
+        // Missing pictures, up to the last pose.
+        let missing = (0..self.poses as u32).filter(|number| !pictures.files.contains_key(number));
+        left_out.extend(missing.map(|number| {
+            let file = folder.join(format!("{number:08}.png"));
+            let reason = if self.is_listed(&file) || self.is_listed(&file.with_extension("jpg")) {
                 Reason::Listed
             } else {
                 pictures.missing()
             };
-            leave_out(file, Some(number), reason);
-        }
-        Some(Self { camera, files })
+            (file, number, reason)
+        }));
+        Sorted { files, left_out }
+    }
+
+    /// Whether the list of missing files has a file.
+    fn is_listed(&self, file: &Path) -> bool {
+        let path = file.strip_prefix(self.folder).unwrap_or(file);
+        let path = path.to_string_lossy().replace('\\', "/");
+        let parts: Vec<&str> = path.split('/').collect();
+        // Lists name pictures with or without the first folder.
+        let mut tails = (0..parts.len().saturating_sub(1)).map(|from| parts[from..].join("/"));
+        tails.any(|tail| self.listed.contains(&tail))
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::bake::bases::{Bases, PlacedPoint, retain_rows};
 use crate::bake::body::{Body, EXPRESSIONS, blend};
 use crate::bake::credits::BODY_CREDIT;
-use crate::bake::networks::{NetworkPlan, random_networks};
+use crate::bake::networks::{BASIS, NetworkPlan, random_networks};
 use crate::bake::outfit::Outfit;
 use crate::bake::partition::partition;
 use crate::bake::sky_light::BakedSky;
@@ -11,7 +11,7 @@ use crate::bake::source::rig::{BODY, Influence};
 use crate::bake::spacing::Dot;
 use crate::bake::stretch::Stretch;
 use crate::bake::surface::{Material, Sheet, Site};
-use effigy_core::avatar::{Avatar, Bounds, Filter, Gaussians, Inputs, Nodes, Parts, Pose};
+use effigy_core::avatar::{Avatar, Bounds, Filter, Gaussians, Inputs, Nodes, Parts, Pose, Rows};
 use effigy_core::random::Random;
 use effigy_math::color::encode_srgb;
 use effigy_math::partition::Partition;
@@ -84,14 +84,7 @@ pub fn assemble(
         })
         .collect();
     let positions: Vec<DVec3> = points.iter().map(|point| point.placed.position).collect();
-    let sites: Vec<&Site> = dots.iter().map(|dot| &dot.site).collect();
-    let parts = partition(&positions, &sites, sizes.parts);
-    for part in 0..parts.center.len() {
-        for &i in &parts.order[parts.range(part)] {
-            points[i].placed.part = part;
-            points[i].placed.head = part < parts.head;
-        }
-    }
+    let parts = assign_parts(&mut points, &positions, dots, sizes.parts);
     let bounds = bounds(&positions);
     let joints: Vec<DVec3> = to_canonical
         .iter()
@@ -117,27 +110,18 @@ pub fn assemble(
     // From here on in the order of the parts.
     let ordered: Vec<&GaussianPoint> = parts.order.iter().map(|&i| &points[i]).collect();
     let nearest: Vec<[u16; 3]> = parts.order.iter().map(|&i| nearest[i]).collect();
-    let part_of: Vec<usize> = ordered.iter().map(|point| point.placed.part).collect();
-    let row_count = sizes.rows.min(points.len());
-    let rotation_rows: Vec<_> = ordered
-        .par_iter()
-        .map(|point| bases.rotation_row(&point.placed))
-        .collect();
-    let scale_rows: Vec<_> = ordered
-        .par_iter()
-        .map(|point| bases.scale_row(&point.placed))
-        .collect();
-    let color_rows: Vec<_> = ordered
-        .par_iter()
-        .map(|point| bases.color_row(&point.placed))
-        .collect();
-    let avatar = Avatar {
+    let retained = RetainedRows {
+        points: &ordered,
+        covariances: &random.covariances,
+        count: sizes.rows.min(points.len()),
+    };
+    Avatar {
         name: "MakeHuman body, dressed".into(),
         credit: BODY_CREDIT.into(),
         skeleton: body.skeleton.clone(),
-        rotation_rows: retain_rows(&rotation_rows, &part_of, &random.covariances, row_count),
-        scale_rows: retain_rows(&scale_rows, &part_of, &random.covariances, row_count),
-        color_rows: retain_rows(&color_rows, &part_of, &random.covariances, row_count),
+        rotation_rows: retained.of(|point| bases.rotation_row(point)),
+        scale_rows: retained.of(|point| bases.scale_row(point)),
+        color_rows: retained.of(|point| bases.color_row(point)),
         gaussians: gaussians(&ordered, nearest, bounds),
         parts: Parts {
             start: parts.start,
@@ -149,8 +133,50 @@ pub fn assemble(
         sh: None,
         filter: Filter::DEFAULT,
         levels: vec![],
-    };
-    avatar
+    }
+}
+
+/// Divides points into parts, and tells each its own.
+fn assign_parts(
+    points: &mut [GaussianPoint],
+    positions: &[DVec3],
+    dots: &[Dot],
+    count: usize,
+) -> Partition {
+    let sites: Vec<&Site> = dots.iter().map(|dot| &dot.site).collect();
+    let parts = partition(positions, &sites, count);
+    for part in 0..parts.center.len() {
+        for &i in &parts.order[parts.range(part)] {
+            points[i].placed.part = part;
+            points[i].placed.head = part < parts.head;
+        }
+    }
+    parts
+}
+
+/// Chooses the basis rows that are retained: `count` of each attribute.
+struct RetainedRows<'a> {
+    /// In the order of the parts.
+    points: &'a [&'a GaussianPoint],
+    /// Of each part's features.
+    covariances: &'a [Vec<f64>],
+    count: usize,
+}
+
+impl RetainedRows<'_> {
+    /// `row`: a point's row of the attribute.
+    fn of<const C: usize>(
+        &self,
+        row: impl Fn(&PlacedPoint) -> [[f64; BASIS]; C] + Sync,
+    ) -> Rows<C> {
+        let rows: Vec<_> = self
+            .points
+            .par_iter()
+            .map(|point| row(&point.placed))
+            .collect();
+        let part: Vec<usize> = self.points.iter().map(|point| point.placed.part).collect();
+        retain_rows(&rows, &part, self.covariances, self.count)
+    }
 }
 
 /// Random numbers of each point begin here; other uses of the seed draw from other streams.

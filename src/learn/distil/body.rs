@@ -1,5 +1,5 @@
-//! The avatar before it has learned anything: its Gaussians ordered by part, its nodes, skin and
-//! opacity, from the teacher's means.
+//! The avatar before it learns: its Gaussians ordered by part, its nodes, skin and opacity, from the
+//! teacher's means.
 
 use crate::distil::teacher::{AnchorFeatures, Teacher, sigmoid};
 use effigy_core::avatar::{
@@ -14,7 +14,7 @@ use rayon::prelude::*;
 /// Rows over which opacity is averaged.
 const OPACITY_ROWS: usize = 128;
 
-/// An avatar's body, and what it leaves of the checkpoint's.
+/// The avatar before it learns, and how much it loses of the checkpoint.
 pub struct Body {
     /// Neutral attributes are not set yet, nor are networks.
     pub avatar: Avatar,
@@ -86,29 +86,9 @@ impl Body {
         training: &[usize],
         basis: usize,
     ) -> Self {
-        let part: Vec<u32> = (0..checkpoint.len())
-            .map(|k| checkpoint.gaussian_anchors.nearest(k) as u32)
-            .collect();
-        let mut order: Vec<u32> = (0..checkpoint.len() as u32).collect();
-        order.sort_by_key(|&k| part[k as usize]);
-        let mut start = vec![0u32; checkpoint.networks.count + 1];
-        for &part in &part {
-            start[part as usize + 1] += 1;
-        }
-        for at in 1..start.len() {
-            start[at] += start[at - 1];
-        }
-        let mean = AnchorFeatures::of_means(means);
-        let moved = Teacher { checkpoint }.displacements(&mean, 0);
-        let nodes = checkpoint.nodes.position.iter().zip(&moved);
-        let node_position: Vec<DVec3> = nodes.map(|(p, moved)| *p + *moved).collect();
-        let position = |&k: &u32| {
-            let shares = checkpoint.gaussian_nodes.of(k as usize);
-            let moves = shares.map(|share| f64::from(share.weight) * moved[share.index]);
-            checkpoint.gaussians.position[k as usize] + moves.sum::<DVec3>()
-        };
-        let position: Vec<DVec3> = order.iter().map(position).collect();
-        let bounds = Bounds::around(position.iter().chain(&node_position));
+        let (order, parts) = parts(checkpoint);
+        let positions = MeanPositions::new(checkpoint, means, &order);
+        let bounds = Bounds::around(positions.gaussians.iter().chain(&positions.nodes));
         let joints = checkpoint.skeleton.len();
         let skins: Vec<Skin> = order
             .par_iter()
@@ -116,12 +96,35 @@ impl Body {
             .collect();
         let opacities = opacities(checkpoint, features, training);
         let count = order.len();
+        let mean_of = |numbers: f64| numbers / count.max(1) as f64;
         let node = |&k: &u32| {
             let mut shares = checkpoint.gaussian_nodes.of(k as usize);
             std::array::from_fn(|_| shares.next().map_or(0, |share| share.index as u16))
         };
         let encode = |points: &[DVec3]| points.iter().map(|&p| bounds.encode(p)).collect();
-        let mean_of = |numbers: f64| numbers / count.max(1) as f64;
+        let gaussians = Gaussians {
+            bounds,
+            position: encode(&positions.gaussians),
+            rotation: vec![[f16::ONE, f16::ZERO, f16::ZERO, f16::ZERO]; count],
+            log_scale: vec![[f16::ZERO; 3]; count],
+            color: vec![[f16::ZERO; 3]; count],
+            opacity: order
+                .iter()
+                .map(|&k| (255.0 * opacities[k as usize].mean).round() as u8)
+                .collect(),
+            joint: skins.iter().map(|skin| skin.joint).collect(),
+            joint_weight: skins.iter().map(|skin| skin.weight).collect(),
+            node: order.iter().map(node).collect(),
+        };
+        let node_count = positions.nodes.len();
+        let nodes = Nodes {
+            part: (0..node_count)
+                .map(|node| checkpoint.nodes.anchors.nearest(node) as u16)
+                .collect(),
+            offset: vec![[f16::ZERO; 3]; node_count],
+            basis: Matrix::from(vec![f16::ZERO; 3 * basis * node_count]),
+            position: encode(&positions.nodes),
+        };
         Self {
             skin_lost: mean_of(skins.iter().map(|skin| skin.lost).sum()),
             opacity_lost: mean_of(opacities.iter().map(|own| own.variance).sum()).sqrt(),
@@ -129,21 +132,8 @@ impl Body {
                 name: name.into(),
                 credit: String::new(),
                 skeleton: checkpoint.skeleton.clone(),
-                gaussians: Gaussians {
-                    bounds,
-                    position: encode(&position),
-                    rotation: vec![[f16::ONE, f16::ZERO, f16::ZERO, f16::ZERO]; count],
-                    log_scale: vec![[f16::ZERO; 3]; count],
-                    color: vec![[f16::ZERO; 3]; count],
-                    opacity: order
-                        .iter()
-                        .map(|&k| (255.0 * opacities[k as usize].mean).round() as u8)
-                        .collect(),
-                    joint: skins.iter().map(|skin| skin.joint).collect(),
-                    joint_weight: skins.iter().map(|skin| skin.weight).collect(),
-                    node: order.iter().map(node).collect(),
-                },
-                parts: Parts { start, head: 0 },
+                gaussians,
+                parts,
                 networks: Networks {
                     activation: Activation::LeakyRelu,
                     layers: vec![],
@@ -151,14 +141,7 @@ impl Body {
                 rotation_rows: Rows::default(),
                 scale_rows: Rows::default(),
                 color_rows: Rows::default(),
-                nodes: Nodes {
-                    part: (0..node_position.len())
-                        .map(|node| checkpoint.nodes.anchors.nearest(node) as u16)
-                        .collect(),
-                    offset: vec![[f16::ZERO; 3]; node_position.len()],
-                    basis: Matrix::from(vec![f16::ZERO; 3 * basis * node_position.len()]),
-                    position: encode(&node_position),
-                },
+                nodes,
                 inputs: plain_inputs(checkpoint),
                 sh: None,
                 // gsplat's, which it is trained with.
@@ -166,6 +149,47 @@ impl Body {
                 levels: vec![],
             },
             order,
+        }
+    }
+}
+
+/// The checkpoint's Gaussians in the order of their nearest anchors, and the parts that these are.
+fn parts(checkpoint: &Checkpoint) -> (Vec<u32>, Parts) {
+    let part: Vec<u32> = (0..checkpoint.len())
+        .map(|k| checkpoint.gaussian_anchors.nearest(k) as u32)
+        .collect();
+    let mut order: Vec<u32> = (0..checkpoint.len() as u32).collect();
+    order.sort_by_key(|&k| part[k as usize]);
+    let mut start = vec![0u32; checkpoint.networks.count + 1];
+    for &part in &part {
+        start[part as usize + 1] += 1;
+    }
+    for at in 1..start.len() {
+        start[at] += start[at - 1];
+    }
+    (order, Parts { start, head: 0 })
+}
+
+/// Positions with the mean features of every anchor, metres.
+struct MeanPositions {
+    /// In the avatar's order.
+    gaussians: Vec<DVec3>,
+    nodes: Vec<DVec3>,
+}
+
+impl MeanPositions {
+    fn new(checkpoint: &Checkpoint, means: &[Vec<f32>], order: &[u32]) -> Self {
+        let mean = AnchorFeatures::of_means(means);
+        let moved = Teacher { checkpoint }.displacements(&mean, 0);
+        let nodes = checkpoint.nodes.position.iter().zip(&moved);
+        let gaussian = |&k: &u32| {
+            let shares = checkpoint.gaussian_nodes.of(k as usize);
+            let moves = shares.map(|share| f64::from(share.weight) * moved[share.index]);
+            checkpoint.gaussians.position[k as usize] + moves.sum::<DVec3>()
+        };
+        Self {
+            nodes: nodes.map(|(p, moved)| *p + *moved).collect(),
+            gaussians: order.iter().map(gaussian).collect(),
         }
     }
 }

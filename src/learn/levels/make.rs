@@ -6,7 +6,7 @@ use super::measure::measure;
 use super::merge::Hierarchy;
 use super::pose;
 use super::still::still;
-use super::views::{self, UNIT, View, height, views};
+use super::views::{self, Target, UNIT, View, height, views};
 use crate::poses;
 use effigy_core::avatar::{Avatar, Level, Pose, motion::Player};
 use effigy_core::scene::{Camera, Posed};
@@ -46,6 +46,20 @@ impl Plan {
             gaussians,
             height: height / UNIT as f64,
         }
+    }
+
+    /// The levels of an avatar, from the finest on.
+    fn all(avatar: &Avatar) -> Vec<Self> {
+        let one_in = if avatar.networks.layers.is_empty() {
+            ONE_IN_STILL
+        } else {
+            ONE_IN
+        };
+        one_in
+            .iter()
+            .map(|one_in| Self::new(avatar.gaussians.len() / one_in))
+            .filter(|plan| plan.gaussians >= FEWEST)
+            .collect()
     }
 
     fn has_correctives(&self) -> bool {
@@ -177,8 +191,8 @@ pub struct Progress {
     pub all: usize,
 }
 
-/// Makes the levels of an avatar, which it may have had others of. Levels that would be too small
-/// are left out; there may be none.
+/// Makes the levels of an avatar, whatever levels it has. Levels that would be too small are left
+/// out; there may be none.
 ///
 /// # Panics
 /// Where [`Avatar::check`] finds a fault.
@@ -189,20 +203,10 @@ pub fn levels_of(
     progress: &mut dyn FnMut(Progress),
 ) -> Vec<Level> {
     let whole = avatar.gaussians.len();
-    let one_in = if avatar.networks.layers.is_empty() {
-        ONE_IN_STILL
-    } else {
-        ONE_IN
-    };
-    let plans: Vec<Plan> = one_in
-        .iter()
-        .map(|one_in| Plan::new(whole / one_in))
-        .filter(|plan| plan.gaussians >= FEWEST)
-        .collect();
+    let plans = Plan::all(avatar);
     let Some(finest) = plans.first() else {
         return vec![];
     };
-    let heights = Heights::new(finest);
     if poses.training.is_empty() || poses.held_out.is_empty() {
         return vec![];
     }
@@ -212,22 +216,15 @@ pub fn levels_of(
     let images = training.len() + held_out.len();
     let all = images + plans.len() * options.steps;
     let mut tell = |step, done| progress(Progress { step, done, all });
+    let heights = Heights::new(finest);
     let mut seen = vec![0.0; whole];
-    let draw = "drawing the whole avatar";
-    let training = views::targets(avatar, &training, heights.largest, &mut seen, &mut |done| {
-        tell(draw, done);
-    });
-    let before = training.len();
-    let mut unused = vec![0.0; whole];
-    let held_out = views::targets(
-        avatar,
-        &held_out,
-        heights.largest,
-        &mut unused,
-        &mut |done| {
-            tell(draw, before + done);
-        },
-    );
+    let mut draw = |views: &[View], before: usize, seen: &mut [f64]| {
+        views::targets(avatar, views, heights.largest, seen, &mut |done| {
+            tell("drawing the whole avatar", before + done);
+        })
+    };
+    let training = draw(&training, 0, &mut seen);
+    let held_out = draw(&held_out, training.len(), &mut vec![0.0; whole]);
     tell("merging", images);
     let inputs: Vec<Vec<f64>> = poses
         .training
@@ -235,40 +232,69 @@ pub fn levels_of(
         .map(|pose| avatar.inputs.from_pose(pose))
         .collect();
     let still = still(avatar, &inputs);
-    let mut hierarchy = hierarchy(avatar, &still, &poses.training, &seen);
+    let mut maker = LevelMaker {
+        avatar,
+        hierarchy: hierarchy(avatar, &still, &poses.training, &seen),
+        still,
+        training,
+        held_out,
+        heights,
+        options,
+    };
     let mut levels: Vec<Level> = Vec::new();
     for (index, plan) in plans.iter().enumerate() {
-        hierarchy.merge_to(plan.gaussians);
+        maker.hierarchy.merge_to(plan.gaussians);
         // Parts of one Gaussian each can't be merged further.
         let before = levels.last().map_or(whole, |level| level.gaussians.len());
-        if hierarchy.count() >= before {
+        if maker.hierarchy.count() >= before {
             break;
         }
+        let done = images + index * options.steps;
+        levels.push(maker.level(plan, &mut |step| tell("fitting", done + step)));
+    }
+    levels
+}
+
+/// Makes levels from Gaussians that are merged further for each.
+struct LevelMaker<'a> {
+    avatar: &'a Avatar,
+    /// Without networks.
+    still: Avatar,
+    hierarchy: Hierarchy,
+    training: Vec<Target>,
+    held_out: Vec<Target>,
+    heights: Heights,
+    options: &'a LevelOptions,
+}
+
+impl LevelMaker<'_> {
+    /// A level of the Gaussians as they are merged now, fitted and measured. `progress` is called
+    /// with the number of steps done.
+    fn level(&self, plan: &Plan, progress: &mut dyn FnMut(usize)) -> Level {
+        let avatar = self.avatar;
         let source = if plan.has_correctives() {
             avatar
         } else {
-            &still
+            &self.still
         };
+        let whole = avatar.gaussians.len();
         let rows = avatar.color_rows.gaussian.len() * plan.gaussians / whole;
-        let merged = assemble::level(source, hierarchy.parts(), rows);
-        let fit_options = FitOptions {
-            steps: options.steps,
-            sizes: heights.fitted(plan),
-            seed: options.seed,
+        let merged = assemble::level(source, self.hierarchy.parts(), rows);
+        let options = FitOptions {
+            steps: self.options.steps,
+            sizes: self.heights.fitted(plan),
+            seed: self.options.seed,
         };
-        let done = images + index * options.steps;
-        let mut level = fit::fit(avatar, &merged, &training, &fit_options, &mut |step| {
-            tell("fitting", done + step);
-        });
+        let mut level = fit::fit(avatar, &merged, &self.training, &options, progress);
         let drawn = avatar.at_level(&level);
-        level.measured = heights
+        level.measured = self
+            .heights
             .measured(plan)
             .flat_map(|units| SAMPLES.map(|samples| (units, samples)))
-            .map(|(units, samples)| measure(&drawn, &held_out, units, samples))
+            .map(|(units, samples)| measure(&drawn, &self.held_out, units, samples))
             .collect();
-        levels.push(level);
+        level
     }
-    levels
 }
 
 /// The views that levels are measured in.

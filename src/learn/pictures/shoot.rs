@@ -77,24 +77,23 @@ pub fn shoot(
     let mut covered = 0.0;
     for frame in frames {
         let scene = studio.scene(&frame.pose);
-        let shares: Vec<f64> = (0..cameras.len())
-            .into_par_iter()
-            .map(|at| {
-                let stream = hash(seed ^ hash(u64::from(frame.number) << 16 | at as u64));
-                let mut image = scene.picture(&cameras[at].camera, options.samples, stream);
-                let share = image.coverage.iter().map(|&c| f64::from(c)).sum::<f64>();
-                let share = share / image.coverage.len().max(1) as f64;
-                flaws.shoot(&mut image, &looks[at], stream);
-                let mut random = Random::new(stream, 0x401);
-                let noise = flaws.noise / 255.0;
-                let picture = image.encode(|| match noise {
-                    0.0 => 0.0,
-                    _ => noise * random.normal(),
-                });
-                writer.write(at, frame.number, &picture)?;
-                Ok(share)
-            })
-            .collect::<Result<_, CaptureError>>()?;
+        let shoot = |at: usize| {
+            let stream = hash(seed ^ hash(u64::from(frame.number) << 16 | at as u64));
+            let mut image = scene.picture(&cameras[at].camera, options.samples, stream);
+            let share = image.coverage.iter().map(|&c| f64::from(c)).sum::<f64>();
+            let share = share / image.coverage.len().max(1) as f64;
+            flaws.shoot(&mut image, &looks[at], stream);
+            let mut random = Random::new(stream, 0x401);
+            let noise = flaws.noise / 255.0;
+            let picture = image.encode(|| match noise {
+                0.0 => 0.0,
+                _ => noise * random.normal(),
+            });
+            writer.write(at, frame.number, &picture)?;
+            Ok(share)
+        };
+        let shares = (0..cameras.len()).into_par_iter().map(shoot);
+        let shares: Vec<f64> = shares.collect::<Result<_, CaptureError>>()?;
         covered += shares.iter().sum::<f64>();
         progress();
     }
@@ -108,26 +107,36 @@ pub fn shoot(
         .collect();
     let pictures = frames.len() * cameras.len();
     let held = cameras.iter().filter(|camera| camera.held).count();
-    if flaws.is_none() {
-        Truth::remove(folder)?;
-    } else {
-        let own = cameras.into_iter().zip(&looks);
-        let truth = Truth {
-            cameras: own
-                .map(|(camera, look)| TruthCamera {
-                    camera,
-                    gain: look.gain.to_array(),
-                    blur: look.blur,
-                })
-                .collect(),
-            poses: frames.iter().map(|frame| frame.pose.clone()).collect(),
-        };
-        truth.write(folder)?;
-    }
+    write_truth(folder, cameras, &looks, frames, &flaws)?;
     writer.finish(&found)?;
     Ok(Summary {
         pictures,
         covered: covered / pictures.max(1) as f64,
         held,
     })
+}
+
+/// Writes what is true of the pictures, where the capture says something else.
+fn write_truth(
+    folder: &Path,
+    cameras: Vec<CaptureCamera>,
+    looks: &[CameraLook],
+    frames: &[CaptureFrame],
+    flaws: &Flaws,
+) -> Result<(), CaptureError> {
+    if flaws.is_none() {
+        return Truth::remove(folder);
+    }
+    let own = cameras.into_iter().zip(looks);
+    let truth = Truth {
+        cameras: own
+            .map(|(camera, look)| TruthCamera {
+                camera,
+                gain: look.gain.to_array(),
+                blur: look.blur,
+            })
+            .collect(),
+        poses: frames.iter().map(|frame| frame.pose.clone()).collect(),
+    };
+    truth.write(folder)
 }
