@@ -63,21 +63,24 @@ pub struct Named {
 
 /// The file, in its order: others know cameras by their places in it.
 #[derive(Clone, Debug, Default)]
-pub struct Calibration {
+pub struct CaptureCalibration {
     pub cameras: Vec<Named>,
 }
 
-impl<'de> Deserialize<'de> for Calibration {
+impl<'de> Deserialize<'de> for CaptureCalibration {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         struct Visitor;
         impl<'de> de::Visitor<'de> for Visitor {
-            type Value = Calibration;
+            type Value = CaptureCalibration;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 write!(f, "a camera for each name")
             }
 
-            fn visit_map<M: MapAccess<'de>>(self, mut map: M) -> Result<Calibration, M::Error> {
+            fn visit_map<M: MapAccess<'de>>(
+                self,
+                mut map: M,
+            ) -> Result<CaptureCalibration, M::Error> {
                 let mut cameras: Vec<Named> = Vec::new();
                 while let Some((name, entry)) = map.next_entry::<String, CalibrationEntry>()? {
                     if cameras.len() == limits::CAMERAS {
@@ -93,14 +96,14 @@ impl<'de> Deserialize<'de> for Calibration {
                     }
                     cameras.push(Named { name, entry });
                 }
-                Ok(Calibration { cameras })
+                Ok(CaptureCalibration { cameras })
             }
         }
         from.deserialize_map(Visitor)
     }
 }
 
-impl Serialize for Calibration {
+impl Serialize for CaptureCalibration {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let mut map = to.serialize_map(Some(self.cameras.len()))?;
         for camera in &self.cameras {
@@ -116,7 +119,7 @@ fn is_name(text: &str) -> bool {
     !text.is_empty() && text.len() <= 100 && !text.starts_with('.') && text.chars().all(plain)
 }
 
-impl Calibration {
+impl CaptureCalibration {
     /// Reads the file's text. `file` is named in errors.
     pub fn parse(file: &Path, bytes: &[u8]) -> Result<Self, CaptureError> {
         let read: Self = serde_json::from_slice(&text::utf8(bytes)).map_err(|error| {
@@ -292,8 +295,9 @@ mod tests {
     #[test]
     fn cameras_survive_the_file() {
         let before = shown();
-        let text = Calibration::of(std::slice::from_ref(&before)).text();
-        let read = Calibration::parse(Path::new("c"), text.as_bytes()).expect("a calibration");
+        let text = CaptureCalibration::of(std::slice::from_ref(&before)).text();
+        let read =
+            CaptureCalibration::parse(Path::new("c"), text.as_bytes()).expect("a calibration");
         let entry = &read.cameras[0].entry;
         let after = entry
             .camera("cam00", entry.size().expect("a size"))
@@ -341,7 +345,7 @@ mod tests {
             ),
             (r#"{"a": {"K": [1e999], "R": [], "T": []}}"#, "JSON"),
         ] {
-            let error = Calibration::parse(Path::new("c"), text.as_bytes()).err();
+            let error = CaptureCalibration::parse(Path::new("c"), text.as_bytes()).err();
             expect(error.map(|error| error.to_string()), word);
         }
     }

@@ -2,11 +2,11 @@
 
 use crate::{
     calibration::CaptureCamera,
-    decode::Files,
+    decode::PictureFiles,
     error::{CaptureError, fault},
-    left_out::{LeftOut, MaskLook},
+    left_out::{MaskLook, Omission},
     mask::MaskRule,
-    picture::{Fault, Picture},
+    picture::{FaultyFile, Picture},
     template::Template,
 };
 use effigy_core::avatar::Pose;
@@ -25,7 +25,7 @@ pub struct Capture {
     /// The body model.
     pub template: Template,
     /// What can't be used, and why.
-    pub left_out: Vec<LeftOut>,
+    pub left_out: Vec<Omission>,
     /// What its files leave open, and what was taken.
     pub assumptions: Vec<Assumption>,
     /// What a look at some masks found.
@@ -33,7 +33,7 @@ pub struct Capture {
     /// What the numbers in each camera's masks mean.
     pub(crate) rules: Vec<MaskRule>,
     /// The files of each camera's picture of each frame: shape frames, cameras.
-    pub(crate) files: Vec<Option<Files>>,
+    pub(crate) files: Vec<Option<PictureFiles>>,
 }
 
 /// A moment of a capture.
@@ -68,7 +68,7 @@ impl Capture {
         self.files.iter().flatten().count()
     }
 
-    pub(crate) fn files_of(&self, camera: usize, frame: usize) -> Option<&Files> {
+    pub(crate) fn files_of(&self, camera: usize, frame: usize) -> Option<&PictureFiles> {
         if camera >= self.cameras.len() {
             return None;
         }
@@ -88,8 +88,8 @@ impl Capture {
         };
         Picture::read(files, &self.cameras[camera], self.rules[camera]).map_err(|found| match found
         {
-            Fault::Picture(found) => fault(&files.picture, found),
-            Fault::Mask(found) => fault(&files.mask, found),
+            FaultyFile::Picture(found) => fault(&files.picture, found),
+            FaultyFile::Mask(found) => fault(&files.mask, found),
         })
     }
 
@@ -97,7 +97,7 @@ impl Capture {
     ///
     /// # Errors
     /// When no frame is left.
-    pub fn without(mut self, found: Vec<LeftOut>) -> Result<Self, CaptureError> {
+    pub fn without(mut self, found: Vec<Omission>) -> Result<Self, CaptureError> {
         let count = self.cameras.len();
         for fault in &found {
             let camera = fault.camera.as_ref();
@@ -118,7 +118,7 @@ impl Capture {
             .chunks(count.max(1))
             .map(|row| row.iter().any(Option::is_some))
             .collect();
-        let rows: Vec<Vec<Option<Files>>> = self
+        let rows: Vec<Vec<Option<PictureFiles>>> = self
             .files
             .chunks(count.max(1))
             .zip(&seen)

@@ -3,7 +3,7 @@
 use crate::{
     capture::Capture,
     decode::colors,
-    left_out::{LeftOut, Reason},
+    left_out::{Omission, OmissionReason},
     mask::{MaskFile, fault_of},
     template::BODY,
 };
@@ -16,11 +16,11 @@ impl Capture {
     /// are empty or inverted or do not fit the pose, pictures and cameras that see nothing of the
     /// body's joints. `progress` is called with the pictures done and all there are, from any
     /// thread.
-    pub fn check(&self, progress: &(dyn Fn(usize, usize) + Sync)) -> Vec<LeftOut> {
+    pub fn check(&self, progress: &(dyn Fn(usize, usize) + Sync)) -> Vec<Omission> {
         let cameras = self.cameras.len();
         let all = self.pictures();
         let done = AtomicUsize::new(0);
-        let mut found: Vec<LeftOut> = Vec::new();
+        let mut found: Vec<Omission> = Vec::new();
         let joints: Vec<Vec<DVec3>> = (0..self.frames.len())
             .map(|frame| self.body_joints(frame))
             .collect();
@@ -35,15 +35,15 @@ impl Capture {
                 .any(|(at, _)| self.has(camera, at));
             *blind = any && !own.any(|frame| sees(&frame));
             if *blind {
-                found.push(LeftOut {
+                found.push(Omission {
                     file: self.folder.clone(),
                     camera: Some(self.cameras[camera].name.clone()),
                     frame: None,
-                    reason: Reason::NoBody,
+                    reason: OmissionReason::NoBody,
                 });
             }
         }
-        let of_pictures: Vec<LeftOut> = (0..self.frames.len() * cameras)
+        let of_pictures: Vec<Omission> = (0..self.frames.len() * cameras)
             .into_par_iter()
             .filter_map(|at| {
                 let (frame, camera) = (at / cameras, at % cameras);
@@ -54,7 +54,7 @@ impl Capture {
                     MaskFile::read(files).and_then(|file| file.mask(own, self.rules[camera]));
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
                 let leave_out = |file: &std::path::Path, reason| {
-                    Some(LeftOut {
+                    Some(Omission {
                         file: file.into(),
                         camera: Some(own.name.clone()),
                         frame: Some(self.frames[frame].number),
@@ -62,8 +62,8 @@ impl Capture {
                     })
                 };
                 match (colors, mask) {
-                    (Err(fault), _) => leave_out(&files.picture, Reason::Unreadable(fault)),
-                    (_, Err(fault)) => leave_out(&files.mask, Reason::Unreadable(fault)),
+                    (Err(fault), _) => leave_out(&files.picture, OmissionReason::Unreadable(fault)),
+                    (_, Err(fault)) => leave_out(&files.mask, OmissionReason::Unreadable(fault)),
                     _ if blind[camera] => None,
                     (_, Ok(mask)) => {
                         let places = self.in_view(camera, &joints[frame]);
@@ -107,7 +107,7 @@ mod tests {
     use super::*;
     use crate::mask::Mask;
 
-    fn fault(mask: impl Fn(f64, f64) -> bool) -> Option<Reason> {
+    fn fault(mask: impl Fn(f64, f64) -> bool) -> Option<OmissionReason> {
         let side = 20;
         let mask = Mask {
             size: [side; 2],
@@ -126,17 +126,23 @@ mod tests {
     fn masks_are_held_against_the_joints() {
         let disc = |x: f64, y: f64| (x - 10.0).hypot(y - 10.0) < 6.0;
         assert_eq!(fault(disc), None);
-        assert_eq!(fault(|x, y| !disc(x, y)), Some(Reason::InvertedMask));
-        assert_eq!(fault(|_, _| true), Some(Reason::FullMask));
+        assert_eq!(
+            fault(|x, y| !disc(x, y)),
+            Some(OmissionReason::InvertedMask)
+        );
+        assert_eq!(fault(|_, _| true), Some(OmissionReason::FullMask));
         assert_eq!(
             fault(|_, _| false),
-            Some(Reason::EmptyMask { highest: 255 })
+            Some(OmissionReason::EmptyMask { highest: 255 })
         );
         let aside = |x: f64, y: f64| disc(x + 6.0, y);
-        assert!(matches!(fault(aside), None | Some(Reason::Astray { .. })));
+        assert!(matches!(
+            fault(aside),
+            None | Some(OmissionReason::Astray { .. })
+        ));
         assert!(matches!(
             fault(|x, _| x < 4.0),
-            Some(Reason::Astray { inside: 0, of: 6 })
+            Some(OmissionReason::Astray { inside: 0, of: 6 })
         ));
     }
 }

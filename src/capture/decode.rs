@@ -10,7 +10,7 @@ use std::{
 
 /// A picture's and its mask's file, which is the picture's own where its alpha channel is the mask.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Files {
+pub struct PictureFiles {
     pub picture: PathBuf,
     pub mask: PathBuf,
 }
@@ -22,14 +22,14 @@ pub struct Pixels<const C: usize> {
 }
 
 /// A decoded PNG or JPEG.
-pub struct Decoded {
+pub struct DecodedImage {
     pub image: DynamicImage,
     /// Whether its numbers have the noise of a JPEG.
     pub is_lossy: bool,
 }
 
 /// Decodes a file.
-pub fn decode(path: &Path) -> Result<Decoded, FormatError> {
+pub fn decode(path: &Path) -> Result<DecodedImage, FormatError> {
     let fault = |found: String| FormatError::container(found, "a whole PNG or JPEG");
     let bytes = read_bytes(path, limits::IMAGE).map_err(|error| fault(error.to_string()))?;
     if is_cut(&bytes) {
@@ -45,7 +45,7 @@ pub fn decode(path: &Path) -> Result<Decoded, FormatError> {
     reader.limits(most);
     let is_lossy = reader.format() == Some(ImageFormat::Jpeg);
     let image = reader.decode().map_err(|error| fault(error.to_string()))?;
-    Ok(Decoded { image, is_lossy })
+    Ok(DecodedImage { image, is_lossy })
 }
 
 /// Whether a JPEG ends before it says so; its decoder would fill in grey.

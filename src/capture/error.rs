@@ -1,6 +1,6 @@
 //! Errors of reading and writing captures.
 
-use crate::left_out::{LeftOut, tally};
+use crate::left_out::{Omission, tally};
 use effigy_core::io::file::{FileError, FormatError};
 use std::{
     fs::File,
@@ -32,9 +32,9 @@ pub enum CaptureError {
         /// The folder.
         folder: PathBuf,
         /// What was left out, and why.
-        left_out: Vec<LeftOut>,
+        left_out: Vec<Omission>,
     },
-    /// A camera or a frame that there is none of was asked for.
+    /// A camera or a frame that does not exist was requested.
     #[error("camera {camera}, frame {frame}: found no picture that can be used")]
     NoPicture {
         /// Index of the camera.
@@ -45,7 +45,7 @@ pub enum CaptureError {
 }
 
 /// The reasons with how often there was each, and an example.
-fn reasons(left_out: &[LeftOut]) -> String {
+fn reasons(left_out: &[Omission]) -> String {
     let counts = tally(left_out);
     let mut text: Vec<String> = counts
         .iter()

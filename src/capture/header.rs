@@ -14,12 +14,12 @@ const PNG: &[u8; 8] = b"\x89PNG\r\n\x1a\n";
 const MAX_SEGMENTS: usize = 1000;
 
 /// Width and height, px.
-pub type Size = [u32; 2];
+pub type PixelSize = [u32; 2];
 
 /// What a file says of its image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Head {
-    pub size: Size,
+    pub size: PixelSize,
     /// Whether it has an alpha channel.
     pub has_alpha: bool,
 }
@@ -70,7 +70,7 @@ fn head_in(from: &mut impl Read) -> Result<Head, FormatError> {
 }
 
 /// The size in a JPEG's frame header, after its first two bytes.
-fn jpeg(from: &mut impl Read) -> Result<Size, FormatError> {
+fn jpeg(from: &mut impl Read) -> Result<PixelSize, FormatError> {
     let cut = |_| FormatError::container("an end inside the header", "a whole JPEG");
     let mut byte = || {
         let mut byte = [0];

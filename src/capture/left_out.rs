@@ -6,7 +6,7 @@ use std::{collections::BTreeMap, fmt, path::PathBuf};
 
 /// A picture, frame or camera that is left out.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LeftOut {
+pub struct Omission {
     /// The file at fault.
     pub file: PathBuf,
     /// Name of the camera, where the fault is of one.
@@ -14,7 +14,7 @@ pub struct LeftOut {
     /// Number of the frame, where the fault is of one.
     pub frame: Option<u32>,
     /// What is wrong.
-    pub reason: Reason,
+    pub reason: OmissionReason,
 }
 
 /// What a look at some masks found.
@@ -23,13 +23,13 @@ pub struct MaskLook {
     /// How many were looked at.
     pub count: usize,
     /// Those that can't be used.
-    pub faults: Vec<LeftOut>,
+    pub faults: Vec<Omission>,
 }
 
 impl MaskLook {
     /// Whether more than half show nothing that a person could be learned from.
     pub fn is_useless(&self) -> bool {
-        let blank = |fault: &&LeftOut| !matches!(fault.reason, Reason::Astray { .. });
+        let blank = |fault: &&Omission| !matches!(fault.reason, OmissionReason::Astray { .. });
         2 * self.faults.iter().filter(blank).count() > self.count
     }
 }
@@ -46,7 +46,7 @@ impl fmt::Display for MaskLook {
 
 /// Why something is left out.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Reason {
+pub enum OmissionReason {
     /// `missing_img_files.txt` lists it.
     Listed,
     /// There is a picture and no mask, or a mask and no picture, or neither.
@@ -92,7 +92,7 @@ pub enum Reason {
     NoBody,
 }
 
-impl Reason {
+impl OmissionReason {
     /// The reason without its numbers, for counting.
     pub fn kind(&self) -> &'static str {
         match self {
@@ -112,7 +112,7 @@ impl Reason {
     }
 }
 
-impl fmt::Display for Reason {
+impl fmt::Display for OmissionReason {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Listed => write!(f, "listed as missing"),
@@ -154,7 +154,7 @@ impl fmt::Display for Reason {
     }
 }
 
-impl fmt::Display for LeftOut {
+impl fmt::Display for Omission {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}", self.file.display())?;
         if let Some(camera) = &self.camera {
@@ -168,7 +168,7 @@ impl fmt::Display for LeftOut {
 }
 
 /// How often there is each kind of reason, in the order of the kinds' names.
-pub fn tally(left_out: &[LeftOut]) -> BTreeMap<&'static str, usize> {
+pub fn tally(left_out: &[Omission]) -> BTreeMap<&'static str, usize> {
     let mut counts = BTreeMap::new();
     for entry in left_out {
         *counts.entry(entry.reason.kind()).or_default() += 1;

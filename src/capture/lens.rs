@@ -3,7 +3,7 @@
 use effigy_core::scene::Camera;
 use glam::DVec2;
 
-/// Distortions whose numbers add up to less are none.
+/// Distortions whose numbers add up to less are ignored.
 const NEGLIGIBLE: f64 = 1e-4;
 
 /// Whether a lens distorts.

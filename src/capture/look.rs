@@ -2,8 +2,8 @@
 
 use crate::{
     capture::Capture,
-    left_out::{LeftOut, MaskLook, Reason},
-    mask::{Mask, MaskFile, Place, fault_of, nonzero},
+    left_out::{MaskLook, Omission, OmissionReason},
+    mask::{Mask, MaskFile, MaskSource, fault_of, nonzero},
 };
 use effigy_core::{io::file::FormatError, random::hash};
 use effigy_formats::assumption::Assumption;
@@ -22,14 +22,14 @@ const FEW: usize = 4;
 const NAMED: usize = 6;
 
 /// A mask's file, and whose it is.
-struct Opened {
-    shot: Shot,
+struct OpenedMask {
+    shot: MaskIndex,
     file: Result<MaskFile, FormatError>,
 }
 
 /// A mask that is looked at.
-struct Looked {
-    shot: Shot,
+struct InspectedMask {
+    shot: MaskIndex,
     mask: Result<Mask, FormatError>,
     /// Of the joints in its picture, px.
     joints: Vec<DVec2>,
@@ -37,7 +37,7 @@ struct Looked {
 
 /// A camera and a frame, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Shot {
+struct MaskIndex {
     camera: usize,
     frame: usize,
 }
@@ -62,7 +62,7 @@ impl Capture {
             let own = numbers.get(&camera).filter(|_| !is_common);
             rule.nonzero = own.map_or(common, Option::is_some);
         }
-        let mut looked: Vec<Looked> = opened
+        let mut looked: Vec<InspectedMask> = opened
             .into_par_iter()
             .map(|opened| self.look(opened))
             .collect();
@@ -74,18 +74,18 @@ impl Capture {
         self.assumptions.extend(assumptions);
     }
 
-    fn opened(&self, shots: &BTreeSet<Shot>) -> Vec<Opened> {
-        let open = |&shot: &Shot| {
+    fn opened(&self, shots: &BTreeSet<MaskIndex>) -> Vec<OpenedMask> {
+        let open = |&shot: &MaskIndex| {
             let file = MaskFile::read(self.files_of(shot.camera, shot.frame)?);
-            Some(Opened { shot, file })
+            Some(OpenedMask { shot, file })
         };
         shots.par_iter().filter_map(open).collect()
     }
 
-    fn look(&self, Opened { shot, file }: Opened) -> Looked {
+    fn look(&self, OpenedMask { shot, file }: OpenedMask) -> InspectedMask {
         let joints = self.body_joints(shot.frame);
         let camera = &self.cameras[shot.camera];
-        Looked {
+        InspectedMask {
             mask: file.and_then(|file| file.mask(camera, self.rules[shot.camera])),
             joints: self.in_view(shot.camera, &joints),
             shot,
@@ -115,7 +115,7 @@ impl Capture {
     }
 
     /// Turns the masks of cameras around that all have all but the person.
-    fn turn_inverted(&mut self, looked: &mut Vec<Looked>) -> Option<Assumption> {
+    fn turn_inverted(&mut self, looked: &mut Vec<InspectedMask>) -> Option<Assumption> {
         let is_all = are_inverted(looked.iter());
         let mut of_some = inverted_cameras(looked);
         if !is_all && !of_some.is_empty() {
@@ -165,9 +165,11 @@ impl Capture {
     }
 
     /// That masks are in an alpha channel.
-    fn alpha(&self, opened: &[Opened]) -> Vec<Assumption> {
+    fn alpha(&self, opened: &[OpenedMask]) -> Vec<Assumption> {
         let read = opened.iter().filter_map(|own| own.file.as_ref().ok());
-        let has_alpha = read.map(|file| &file.place).any(|it| *it == Place::Alpha);
+        let has_alpha = read
+            .map(|file| &file.place)
+            .any(|it| *it == MaskSource::Alpha);
         let files = self.files.iter().flatten();
         let count = files.filter(|own| own.mask == own.picture).count();
         let [taken, because] = match count {
@@ -189,30 +191,30 @@ impl Capture {
     }
 
     /// The pictures of each camera that has any.
-    fn shots(&self) -> Vec<Vec<Shot>> {
+    fn shots(&self) -> Vec<Vec<MaskIndex>> {
         let count = self.cameras.len();
         let mut seen = vec![vec![]; count];
         for at in (0..self.files.len()).filter(|&at| self.files[at].is_some()) {
             let [camera, frame] = [at % count, at / count];
-            seen[camera].push(Shot { camera, frame });
+            seen[camera].push(MaskIndex { camera, frame });
         }
         seen.retain(|shots| !shots.is_empty());
         seen
     }
 
     /// A few pictures of each of some cameras, from first to last.
-    fn spread(&self, few: usize, of: impl Fn(usize) -> bool) -> BTreeSet<Shot> {
+    fn spread(&self, few: usize, of: impl Fn(usize) -> bool) -> BTreeSet<MaskIndex> {
         let mut seen = self.shots();
         seen.retain(|shots| of(shots[0].camera));
-        let few = |shots: &Vec<Shot>| {
+        let few = |shots: &Vec<MaskIndex>| {
             let at = |k| shots[k * shots.len() / few];
-            (0..few).map(at).collect::<Vec<Shot>>()
+            (0..few).map(at).collect::<Vec<MaskIndex>>()
         };
         seen.iter().flat_map(few).collect()
     }
 
     /// Some pictures: of each camera in turn, in frames at random.
-    fn sample(&self) -> BTreeSet<Shot> {
+    fn sample(&self) -> BTreeSet<MaskIndex> {
         let seen = self.shots();
         if self.pictures() <= SAMPLE {
             return seen.into_iter().flatten().collect();
@@ -225,13 +227,13 @@ impl Capture {
         (0..count).map(turn).collect()
     }
 
-    fn fault(&self, own: &Looked) -> Option<LeftOut> {
-        let Shot { camera, frame } = own.shot;
+    fn fault(&self, own: &InspectedMask) -> Option<Omission> {
+        let MaskIndex { camera, frame } = own.shot;
         let reason = match &own.mask {
-            Err(fault) => Reason::Unreadable(fault.clone()),
+            Err(fault) => OmissionReason::Unreadable(fault.clone()),
             Ok(mask) => fault_of(mask, &own.joints)?,
         };
-        Some(LeftOut {
+        Some(Omission {
             file: self.files_of(camera, frame)?.mask.clone(),
             camera: Some(self.cameras[camera].name.clone()),
             frame: Some(self.frames[frame].number),
@@ -240,7 +242,7 @@ impl Capture {
     }
 }
 
-impl Looked {
+impl InspectedMask {
     fn invert(&mut self) {
         if let Ok(mask) = &mut self.mask {
             mask.person.iter_mut().for_each(|part| *part = 255 - *part);
@@ -250,8 +252,8 @@ impl Looked {
 
 /// The values of cameras' masks that are classes, see [`nonzero`]; None for a camera whose masks say
 /// how much of a pixel is the person. Cameras whose masks tell neither are left out.
-fn numbers_of(opened: &[Opened]) -> BTreeMap<usize, Option<String>> {
-    let mut places: BTreeMap<usize, Vec<&Place>> = BTreeMap::new();
+fn numbers_of(opened: &[OpenedMask]) -> BTreeMap<usize, Option<String>> {
+    let mut places: BTreeMap<usize, Vec<&MaskSource>> = BTreeMap::new();
     for own in opened {
         if let Ok(file) = &own.file
             && file.place.tells()
@@ -273,8 +275,8 @@ fn differ(numbers: &BTreeMap<usize, Option<String>>) -> bool {
 }
 
 /// The cameras whose looked at masks are inverted.
-fn inverted_cameras(looked: &[Looked]) -> BTreeSet<usize> {
-    let mut of_cameras: BTreeMap<usize, Vec<&Looked>> = BTreeMap::new();
+fn inverted_cameras(looked: &[InspectedMask]) -> BTreeSet<usize> {
+    let mut of_cameras: BTreeMap<usize, Vec<&InspectedMask>> = BTreeMap::new();
     for own in looked {
         of_cameras.entry(own.shot.camera).or_default().push(own);
     }
@@ -283,12 +285,12 @@ fn inverted_cameras(looked: &[Looked]) -> BTreeSet<usize> {
 }
 
 /// Whether all masks that tell have all but the person.
-fn are_inverted<'a>(looked: impl Iterator<Item = &'a Looked>) -> bool {
+fn are_inverted<'a>(looked: impl Iterator<Item = &'a InspectedMask>) -> bool {
     let mut found = looked.filter_map(|own| {
         let mask = own.mask.as_ref().ok()?;
         match fault_of(mask, &own.joints) {
-            Some(Reason::NoBody) => None,
-            Some(Reason::InvertedMask) => {
+            Some(OmissionReason::NoBody) => None,
+            Some(OmissionReason::InvertedMask) => {
                 let person = mask.person.iter().map(|part| 255 - part).collect();
                 let other = Mask { person, ..*mask };
                 Some(fault_of(&other, &own.joints).is_none())

@@ -6,8 +6,8 @@
 
 use crate::{
     calibration::CaptureCamera,
-    decode::{Decoded, Files, Pixels, decode},
-    left_out::Reason,
+    decode::{DecodedImage, PictureFiles, Pixels, decode},
+    left_out::OmissionReason,
     limits::THRESHOLD,
 };
 use effigy_core::io::file::FormatError;
@@ -39,7 +39,7 @@ pub struct MaskRule {
 
 /// Where a file has its mask.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum MaskSource {
     /// In an alpha channel.
     Alpha,
     /// In colours, few and without noise.
@@ -53,7 +53,7 @@ pub enum Place {
 
 /// A mask's file, decoded.
 pub struct MaskFile {
-    pub place: Place,
+    pub place: MaskSource,
     /// How much is said of each pixel, up to 255; 0 only where the file has 0.
     levels: Pixels<1>,
 }
@@ -70,7 +70,7 @@ pub struct Mask {
 
 impl MaskFile {
     /// Decodes the mask of a picture, which may be the picture's own alpha channel.
-    pub fn read(files: &Files) -> Result<Self, FormatError> {
+    pub fn read(files: &PictureFiles) -> Result<Self, FormatError> {
         let decoded = decode(&files.mask)?;
         let size = [decoded.image.width(), decoded.image.height()];
         let file = |place, levels: Vec<u8>| Self {
@@ -83,7 +83,7 @@ impl MaskFile {
         if decoded.image.color().has_alpha() {
             let alpha: Vec<u8> = decoded.image.to_rgba8().pixels().map(|p| p.0[3]).collect();
             if alpha.iter().any(|&level| level != alpha[0]) {
-                return Ok(file(Place::Alpha, alpha));
+                return Ok(file(MaskSource::Alpha, alpha));
             }
         }
         if files.mask == files.picture {
@@ -98,7 +98,7 @@ impl MaskFile {
 
     /// How much of each pixel is the person, of 255.
     fn coverage(mut self, rule: MaskRule) -> Pixels<1> {
-        let is_numbers = self.place != Place::Alpha && rule.nonzero;
+        let is_numbers = self.place != MaskSource::Alpha && rule.nonzero;
         for [level] in &mut self.levels.pixels {
             if is_numbers && *level > 0 {
                 *level = 255;
@@ -123,8 +123,8 @@ impl MaskFile {
 }
 
 /// What a file without a telling alpha channel shows, and its levels.
-fn visible(decoded: Decoded) -> Result<(Place, Vec<u8>), FormatError> {
-    let Decoded { image, is_lossy } = decoded;
+fn visible(decoded: DecodedImage) -> Result<(MaskSource, Vec<u8>), FormatError> {
+    let DecodedImage { image, is_lossy } = decoded;
     let colored = match &image {
         DynamicImage::ImageLuma8(_) | DynamicImage::ImageLuma16(_) => None,
         image => Some(image.to_rgb8()),
@@ -143,7 +143,7 @@ fn visible(decoded: Decoded) -> Result<(Place, Vec<u8>), FormatError> {
                 ));
             }
             let largest = pixels.iter().map(|p| p[0].max(p[1]).max(p[2]));
-            return Ok((Place::Colors, largest.collect()));
+            return Ok((MaskSource::Colors, largest.collect()));
         }
     }
     let is_deep = image.color().bytes_per_pixel() / image.color().channel_count() > 1;
@@ -168,10 +168,10 @@ fn visible(decoded: Decoded) -> Result<(Place, Vec<u8>), FormatError> {
     let many = |&number: &u16| values.insert(number) && values.len() > CLASSES;
     let is_many = is_lossy || numbers.iter().any(many);
     let values = (!is_many).then_some(values);
-    Ok((Place::Grey { values, full }, levels))
+    Ok((MaskSource::Grey { values, full }, levels))
 }
 
-impl Place {
+impl MaskSource {
     /// Whether numbers are there that could mean one thing or another.
     pub fn tells(&self) -> bool {
         match self {
@@ -187,13 +187,13 @@ impl Place {
 
 /// The values of masks in which whatever is not 0 is the person, in words: 0 and 1, or classes.
 /// None: numbers say how much of a pixel is the person.
-pub fn nonzero<'a>(places: impl Iterator<Item = &'a Place>) -> Option<String> {
+pub fn nonzero<'a>(places: impl Iterator<Item = &'a MaskSource>) -> Option<String> {
     let mut all: BTreeSet<u16> = BTreeSet::new();
     for place in places {
         match place {
-            Place::Alpha => {}
-            Place::Colors => return Some(format!("at most {CLASSES} colours")),
-            Place::Grey { values, full } => {
+            MaskSource::Alpha => {}
+            MaskSource::Colors => return Some(format!("at most {CLASSES} colours")),
+            MaskSource::Grey { values, full } => {
                 let values = values.as_ref()?;
                 if values.contains(full) {
                     return None;
@@ -216,18 +216,18 @@ pub fn nonzero<'a>(places: impl Iterator<Item = &'a Place>) -> Option<String> {
 }
 
 /// What is wrong with a mask. `places`: of the joints, px.
-pub fn fault_of(mask: &Mask, places: &[DVec2]) -> Option<Reason> {
+pub fn fault_of(mask: &Mask, places: &[DVec2]) -> Option<OmissionReason> {
     let [width, height] = mask.size.map(|side| side as usize);
     let at = |x: usize, y: usize| mask.person[y * width + x] > 0;
     if places.is_empty() {
-        return Some(Reason::NoBody);
+        return Some(OmissionReason::NoBody);
     }
     if mask.person.iter().all(|&part| part == 0) {
         let highest = mask.highest;
-        return Some(Reason::EmptyMask { highest });
+        return Some(OmissionReason::EmptyMask { highest });
     }
     if mask.person.iter().all(|&part| part > 0) {
-        return Some(Reason::FullMask);
+        return Some(OmissionReason::FullMask);
     }
     let inside = places
         .iter()
@@ -240,9 +240,9 @@ pub fn fault_of(mask: &Mask, places: &[DVec2]) -> Option<Reason> {
     let covered = edge.iter().filter(|&&part| part).count() as f64;
     let few = (inside as f64) < LEAST_INSIDE * places.len() as f64;
     if covered > MOST_OF_EDGE * edge.len() as f64 && few {
-        return Some(Reason::InvertedMask);
+        return Some(OmissionReason::InvertedMask);
     }
-    (few && places.len() >= FEWEST_JOINTS).then_some(Reason::Astray {
+    (few && places.len() >= FEWEST_JOINTS).then_some(OmissionReason::Astray {
         inside,
         of: places.len(),
     })
@@ -252,15 +252,15 @@ pub fn fault_of(mask: &Mask, places: &[DVec2]) -> Option<Reason> {
 mod tests {
     use super::*;
 
-    fn grey(values: &[u16], full: u16) -> Place {
+    fn grey(values: &[u16], full: u16) -> MaskSource {
         let values = Some(values.iter().copied().collect());
-        Place::Grey { values, full }
+        MaskSource::Grey { values, full }
     }
 
     #[test]
     fn what_is_not_0_is_the_person_where_numbers_are_classes() {
-        let reads = |places: &[Place]| nonzero(places.iter()).is_some();
-        let noise = Place::Grey {
+        let reads = |places: &[MaskSource]| nonzero(places.iter()).is_some();
+        let noise = MaskSource::Grey {
             values: None,
             full: 255,
         };
@@ -272,14 +272,14 @@ mod tests {
             vec![grey(&[0, 255], u16::MAX)],
             // A picture without the person among others.
             vec![grey(&[0], 255), grey(&[0, 2, 5, 13], 255)],
-            vec![Place::Alpha, grey(&[0, 1], 255)],
-            vec![Place::Colors],
+            vec![MaskSource::Alpha, grey(&[0, 1], 255)],
+            vec![MaskSource::Colors],
         ] {
             assert!(reads(&places), "{places:?}");
         }
         for places in [
             vec![],
-            vec![Place::Alpha],
+            vec![MaskSource::Alpha],
             vec![grey(&[0], 255)],
             vec![grey(&[1], 255)],
             vec![grey(&[255], 255)],

@@ -1,16 +1,16 @@
 //! Opening of a capture's folder: which of its pictures can be used.
 
 use crate::{
-    calibration::{Calibration, CaptureCamera, Named},
+    calibration::{CaptureCalibration, CaptureCamera, Named},
     capture::{Capture, CaptureFrame},
-    decode::Files,
+    decode::PictureFiles,
     error::{CaptureError, fault, read_bytes},
-    header::{self, Head, Size},
-    layouts::{self, Layout},
-    left_out::{LeftOut, MaskLook, Reason},
+    header::{self, Head, PixelSize},
+    layouts::{self, FolderLayout},
+    left_out::{MaskLook, Omission, OmissionReason},
     limits,
     mask::MaskRule,
-    poses::{self, Hands, Poses},
+    poses::{self, CapturePoses, Hands},
     split::Split,
     template, units,
 };
@@ -27,7 +27,7 @@ const MISSING: &str = "missing_img_files.txt";
 
 /// How to open a capture.
 #[derive(Clone, Debug, Default)]
-pub struct CaptureOptions {
+pub struct CaptureOpenOptions {
     /// The body model's file; None: `template.npz` in the folder.
     pub template: Option<PathBuf>,
 }
@@ -45,21 +45,21 @@ impl Capture {
     /// When the folder has no layout that is known, or its calibration, poses or body model can't
     /// be read or are not in metres; when no frame is left.
     pub fn read(folder: &Path) -> Result<Self, CaptureError> {
-        Self::read_with(folder, &CaptureOptions::default())
+        Self::read_with(folder, &CaptureOpenOptions::default())
     }
 
     /// Opens a capture like [`Self::read`].
     ///
     /// # Errors
     /// Those of [`Self::read`].
-    pub fn read_with(folder: &Path, options: &CaptureOptions) -> Result<Self, CaptureError> {
+    pub fn read_with(folder: &Path, options: &CaptureOpenOptions) -> Result<Self, CaptureError> {
         let layout = layouts::of(folder).ok_or_else(|| CaptureError::Layout {
             folder: folder.into(),
             expected: layouts::known_by(),
         })?;
         let calibration_file = folder.join(layout.calibration);
         let text = read_bytes(&calibration_file, limits::TEXT)?;
-        let calibration = Calibration::parse(&calibration_file, &text)?;
+        let calibration = CaptureCalibration::parse(&calibration_file, &text)?;
         let split = Split::read(folder)?;
         split.expect_names(
             folder,
@@ -71,7 +71,7 @@ impl Capture {
             None => folder.join(template::FILE),
         };
         let archive = template::read(&template_file)?;
-        let poses = Poses::read(folder, archive.parent.len())?;
+        let poses = CapturePoses::read(folder, archive.parent.len())?;
         let model = archive.model(&template_file, &poses.betas)?;
         let mut template = model.template;
         template.expression = poses.expression();
@@ -83,7 +83,7 @@ impl Capture {
             listed: listed(folder)?,
             poses: poses.frames,
         };
-        let views: Vec<View> = calibration
+        let views: Vec<CameraFiles> = calibration
             .cameras
             .into_iter()
             .filter_map(|named| search.view(named, &mut left_out))
@@ -124,16 +124,16 @@ impl Capture {
 /// after frame.
 fn frames(
     folder: &Path,
-    poses: &Poses,
+    poses: &CapturePoses,
     hands: &Hands,
     split: &Split,
-    views: &[View],
-    left_out: &mut Vec<LeftOut>,
-) -> (Vec<CaptureFrame>, Vec<Option<Files>>) {
+    views: &[CameraFiles],
+    left_out: &mut Vec<Omission>,
+) -> (Vec<CaptureFrame>, Vec<Option<PictureFiles>>) {
     let mut frames = Vec::new();
     let mut files = Vec::new();
     for number in 0..poses.frames as u32 {
-        let row: Vec<Option<Files>> = views
+        let row: Vec<Option<PictureFiles>> = views
             .iter()
             .map(|view| view.files.get(&number).cloned())
             .collect();
@@ -149,11 +149,11 @@ fn frames(
                     held: split.frames.contains(&number),
                 });
             }
-            Err(fault) => left_out.push(LeftOut {
+            Err(fault) => left_out.push(Omission {
                 file: folder.join(poses::FILE),
                 camera: None,
                 frame: Some(number),
-                reason: Reason::Pose(fault),
+                reason: OmissionReason::Pose(fault),
             }),
         }
     }
@@ -161,10 +161,10 @@ fn frames(
 }
 
 /// A camera with its files.
-struct View {
+struct CameraFiles {
     camera: CaptureCamera,
     /// By number of the frame.
-    files: BTreeMap<u32, Files>,
+    files: BTreeMap<u32, PictureFiles>,
 }
 
 /// Files that the capture says are missing, with `/` and without the folder's own path.
@@ -184,13 +184,13 @@ fn listed(folder: &Path) -> Result<HashSet<String>, CaptureError> {
 #[derive(Default)]
 struct Numbered {
     files: BTreeMap<u32, PathBuf>,
-    /// Name of a file that is none of them.
+    /// Name of another file in the folder.
     other: Option<String>,
 }
 
 impl Numbered {
-    /// Nothing where there is no folder. Where no name is a frame's number alone, a name's only
-    /// number is.
+    /// Empty where the folder does not exist. Where no name is a frame's number alone, the only
+    /// number in a name counts.
     fn read(folder: &Path, number: fn(&str) -> Option<u32>) -> Result<Self, CaptureError> {
         let unreadable = |cause| FileError::Read {
             file: folder.into(),
@@ -232,9 +232,9 @@ impl Numbered {
         found
     }
 
-    /// That there is none of a frame.
-    fn missing(&self) -> Reason {
-        Reason::Missing {
+    /// The reason for a frame without a file.
+    fn missing(&self) -> OmissionReason {
+        OmissionReason::Missing {
             other: self.other.clone().filter(|_| self.files.is_empty()),
         }
     }
@@ -249,7 +249,7 @@ fn is_picture(path: &Path) -> bool {
 /// Where a capture's pictures are searched for.
 struct Search<'a> {
     folder: &'a Path,
-    layout: &'a Layout,
+    layout: &'a FolderLayout,
     /// See [`listed`].
     listed: HashSet<String>,
     /// Number of poses.
@@ -258,19 +258,21 @@ struct Search<'a> {
 
 /// A camera's files, and why some can't be used.
 struct Sorted {
-    files: BTreeMap<u32, Files>,
-    left_out: Vec<(PathBuf, u32, Reason)>,
+    files: BTreeMap<u32, PictureFiles>,
+    left_out: Vec<(PathBuf, u32, OmissionReason)>,
 }
 
 impl Search<'_> {
     /// Finds a camera's files. None: the camera can't be used, for the reason in `left_out`.
-    fn view(&self, named: Named, left_out: &mut Vec<LeftOut>) -> Option<View> {
+    fn view(&self, named: Named, left_out: &mut Vec<Omission>) -> Option<CameraFiles> {
         let Named { name, entry } = named;
         let found = self.pictures(&name).and_then(|(pictures, masks)| {
-            let headers: Vec<Header> = pictures
+            let headers: Vec<HeaderPair> = pictures
                 .files
                 .par_iter()
-                .map(|(number, picture)| Header::read(*number, picture, masks.files.get(number)))
+                .map(|(number, picture)| {
+                    HeaderPair::read(*number, picture, masks.files.get(number))
+                })
                 .collect();
             let size = entry.size().or_else(|| commonest(&headers));
             // Without any picture, any size will do.
@@ -278,7 +280,7 @@ impl Search<'_> {
             let sorted = self.sort(&name, camera.camera.size, &headers, &pictures, &masks);
             Ok((camera, sorted))
         });
-        let leave_out = |file, frame, reason| LeftOut {
+        let leave_out = |file, frame, reason| Omission {
             file,
             camera: Some(name.clone()),
             frame,
@@ -290,14 +292,14 @@ impl Search<'_> {
                 left_out.extend(
                     all.map(|(file, number, reason)| leave_out(file, Some(number), reason)),
                 );
-                Some(View {
+                Some(CameraFiles {
                     camera,
                     files: sorted.files,
                 })
             }
             Err(fault) => {
                 let calibration = self.folder.join(self.layout.calibration);
-                left_out.push(leave_out(calibration, None, Reason::Camera(fault)));
+                left_out.push(leave_out(calibration, None, OmissionReason::Camera(fault)));
                 None
             }
         }
@@ -320,8 +322,8 @@ impl Search<'_> {
     fn sort(
         &self,
         camera: &str,
-        size: Size,
-        headers: &[Header],
+        size: PixelSize,
+        headers: &[HeaderPair],
         pictures: &Numbered,
         masks: &Numbered,
     ) -> Sorted {
@@ -333,12 +335,12 @@ impl Search<'_> {
             let mask = masks.files.get(&number);
             match header.fault(size, self.poses, masks) {
                 _ if self.is_listed(picture) => {
-                    left_out.push((picture.clone(), number, Reason::Listed));
+                    left_out.push((picture.clone(), number, OmissionReason::Listed));
                 }
                 None => {
                     let mask = mask.unwrap_or(picture).clone();
                     let picture = picture.clone();
-                    files.insert(number, Files { picture, mask });
+                    files.insert(number, PictureFiles { picture, mask });
                 }
                 Some(HeaderFault { of_mask, reason }) => {
                     let file = match mask {
@@ -358,7 +360,7 @@ impl Search<'_> {
         left_out.extend(missing.map(|number| {
             let file = folder.join(format!("{number:08}.png"));
             let reason = if self.is_listed(&file) || self.is_listed(&file.with_extension("jpg")) {
-                Reason::Listed
+                OmissionReason::Listed
             } else {
                 pictures.missing()
             };
@@ -378,13 +380,13 @@ impl Search<'_> {
     }
 }
 
-/// The mask's path where there is none.
+/// The path of a missing mask.
 fn like(picture: &Path, masks: &Path) -> PathBuf {
     masks.join(picture.file_name().unwrap_or_default())
 }
 
-/// What a picture and its mask say of themselves.
-struct Header {
+/// The headers of a picture and its mask.
+struct HeaderPair {
     number: u32,
     picture: Result<Head, FormatError>,
     /// None: there is no mask.
@@ -394,10 +396,10 @@ struct Header {
 /// What is wrong with a picture or its mask.
 struct HeaderFault {
     of_mask: bool,
-    reason: Reason,
+    reason: OmissionReason,
 }
 
-impl Header {
+impl HeaderPair {
     fn read(number: u32, picture: &Path, mask: Option<&PathBuf>) -> Self {
         Self {
             number,
@@ -407,16 +409,16 @@ impl Header {
     }
 
     /// What is wrong, if it is. `masks`: of the camera.
-    fn fault(&self, expected: Size, poses: usize, masks: &Numbered) -> Option<HeaderFault> {
+    fn fault(&self, expected: PixelSize, poses: usize, masks: &Numbered) -> Option<HeaderFault> {
         if self.number as usize >= poses {
             return Some(HeaderFault {
                 of_mask: false,
-                reason: Reason::NoPose { poses },
+                reason: OmissionReason::NoPose { poses },
             });
         }
         let of = |found: &Result<Head, FormatError>| match found {
-            Err(fault) => Some(Reason::Unreadable(fault.clone())),
-            Ok(Head { size, .. }) if *size != expected => Some(Reason::Size {
+            Err(fault) => Some(OmissionReason::Unreadable(fault.clone())),
+            Ok(Head { size, .. }) if *size != expected => Some(OmissionReason::Size {
                 found: *size,
                 expected,
             }),
@@ -443,8 +445,8 @@ impl Header {
 }
 
 /// The size that most pictures have.
-fn commonest(headers: &[Header]) -> Option<Size> {
-    let mut counts: HashMap<Size, usize> = HashMap::new();
+fn commonest(headers: &[HeaderPair]) -> Option<PixelSize> {
+    let mut counts: HashMap<PixelSize, usize> = HashMap::new();
     for head in headers
         .iter()
         .filter_map(|header| header.picture.as_ref().ok())

@@ -2,7 +2,7 @@
 
 use crate::{
     calibration::CaptureCamera,
-    decode::{Files, colors},
+    decode::{PictureFiles, colors},
     limits::THRESHOLD,
     mask::{MaskFile, MaskRule},
 };
@@ -79,13 +79,17 @@ impl Picture {
     }
 
     /// Decodes a picture and its mask, and takes out the lens's distortion.
-    pub fn read(files: &Files, camera: &CaptureCamera, rule: MaskRule) -> Result<Self, Fault> {
+    pub fn read(
+        files: &PictureFiles,
+        camera: &CaptureCamera,
+        rule: MaskRule,
+    ) -> Result<Self, FaultyFile> {
         let colors = colors(&files.picture).and_then(|colors| colors.of(camera, [0; 3]));
         let mask = MaskFile::read(files).and_then(|file| file.mask(camera, rule));
         Ok(Self {
             size: camera.camera.size,
-            color: colors.map_err(Fault::Picture)?,
-            mask: mask.map_err(Fault::Mask)?.person,
+            color: colors.map_err(FaultyFile::Picture)?,
+            mask: mask.map_err(FaultyFile::Mask)?.person,
         })
     }
 }
@@ -114,7 +118,7 @@ fn near(size: [u32; 2], set: &[bool], distance: u32) -> Vec<bool> {
 
 /// Which of a picture's two files is at fault.
 #[derive(Debug)]
-pub enum Fault {
+pub enum FaultyFile {
     Picture(FormatError),
     Mask(FormatError),
 }

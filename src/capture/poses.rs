@@ -56,16 +56,16 @@ pub const HAND: usize = 15;
 
 /// Rows of numbers, one for every frame or one for all.
 #[derive(Debug)]
-struct Table {
+struct FrameRows {
     width: usize,
     numbers: Vec<f64>,
 }
 
 /// Rotations of consecutive joints.
 #[derive(Debug)]
-struct Part {
+struct JointRotations {
     first: usize,
-    table: Table,
+    table: FrameRows,
     /// Which of the [`Hands`] these are components of; None: they are rotations.
     components: Option<usize>,
 }
@@ -81,10 +81,10 @@ pub struct Hands {
 
 /// The poses of a file.
 #[derive(Debug)]
-pub struct Poses {
-    parts: Vec<Part>,
-    translation: Table,
-    expression: Option<Table>,
+pub struct CapturePoses {
+    parts: Vec<JointRotations>,
+    translation: FrameRows,
+    expression: Option<FrameRows>,
     /// The body's shape, where the file has it.
     pub betas: Vec<f64>,
     /// False: hands turn from the model's mean hand.
@@ -94,7 +94,7 @@ pub struct Poses {
     joints: usize,
 }
 
-impl Table {
+impl FrameRows {
     fn rows(&self) -> usize {
         self.numbers.len() / self.width
     }
@@ -114,12 +114,12 @@ fn metadata(name: &str, found: impl std::fmt::Display, expected: impl ToString) 
     FormatError::metadata(name, found, expected)
 }
 
-/// An array as rows of so many numbers; None where there is none.
+/// An array as rows of so many numbers; None where the file lacks it.
 fn table(
     arrays: &mut Npz,
     name: &str,
     widths: RangeInclusive<usize>,
-) -> Result<Option<Table>, FormatError> {
+) -> Result<Option<FrameRows>, FormatError> {
     if !arrays.has(name) {
         return Ok(None);
     }
@@ -140,11 +140,11 @@ fn table(
             format!("1 to {} rows of {most} numbers", limits::FRAMES),
         ));
     }
-    Ok(Some(Table { width, numbers }))
+    Ok(Some(FrameRows { width, numbers }))
 }
 
 /// An array as rows of its last dimension.
-fn rows(arrays: &mut Npz, name: &str, most: usize) -> Result<Option<Table>, FormatError> {
+fn rows(arrays: &mut Npz, name: &str, most: usize) -> Result<Option<FrameRows>, FormatError> {
     if !arrays.has(name) {
         return Ok(None);
     }
@@ -162,10 +162,10 @@ fn rows(arrays: &mut Npz, name: &str, most: usize) -> Result<Option<Table>, Form
             format!("rows of at most {most} numbers"),
         ));
     }
-    Ok(Some(Table { width, numbers }))
+    Ok(Some(FrameRows { width, numbers }))
 }
 
-impl Poses {
+impl CapturePoses {
     /// The poses of a skeleton of `joints` joints in a capture's folder.
     pub fn read(folder: &Path, joints: usize) -> Result<Self, CaptureError> {
         let file = folder.join(FILE);
@@ -178,7 +178,7 @@ impl Poses {
         let mut arrays = Npz::some_from_bytes(bytes, 64 << 20, wanted)?;
         let parts = if arrays.has("poses") {
             table(&mut arrays, "poses", 3 * joints..=3 * joints)?
-                .map(|table| Part {
+                .map(|table| JointRotations {
                     first: 0,
                     table,
                     components: None,
@@ -203,10 +203,10 @@ impl Poses {
             false => true,
         };
         let tables = || {
-            let parts = parts.iter().map(|part: &Part| &part.table);
+            let parts = parts.iter().map(|part: &JointRotations| &part.table);
             parts.chain([&translation]).chain(&expression)
         };
-        let frames = tables().map(Table::rows).max().unwrap_or_default();
+        let frames = tables().map(FrameRows::rows).max().unwrap_or_default();
         if let Some(odd) = tables().find(|table| table.rows() != frames && table.rows() != 1) {
             return Err(FormatError::container(
                 format!("arrays of {frames} and of {} frames", odd.rows()),
@@ -233,12 +233,12 @@ impl Poses {
 
     /// What is taken where the file's hands count components that the model lacks.
     pub fn assumptions(&self, hands: &Hands) -> Vec<Assumption> {
-        let lacks = |part: &Part| {
+        let lacks = |part: &JointRotations| {
             part.components
                 .is_some_and(|of| hands.components[of].is_empty())
         };
         let found = self.parts.iter().find(|part| lacks(part));
-        let assumption = |part: &Part| Assumption {
+        let assumption = |part: &JointRotations| Assumption {
             what: "fingers",
             taken: "straight".into(),
             because: format!(
@@ -302,14 +302,14 @@ impl Poses {
 }
 
 /// Rotations in SMPL's and SMPL-X's arrays.
-fn smpl_parts(arrays: &mut Npz, joints: usize) -> Result<Vec<Part>, FormatError> {
-    struct Known {
+fn smpl_parts(arrays: &mut Npz, joints: usize) -> Result<Vec<JointRotations>, FormatError> {
+    struct SmplArray {
         name: &'static str,
         first: usize,
         joints: usize,
         needed: bool,
     }
-    let known = |name, first, joints, needed| Known {
+    let known = |name, first, joints, needed| SmplArray {
         name,
         first,
         joints,
@@ -338,7 +338,7 @@ fn smpl_parts(arrays: &mut Npz, joints: usize) -> Result<Vec<Part>, FormatError>
         }
     };
     let mut parts = Vec::new();
-    for Known {
+    for SmplArray {
         name,
         first,
         joints,
@@ -349,7 +349,7 @@ fn smpl_parts(arrays: &mut Npz, joints: usize) -> Result<Vec<Part>, FormatError>
         let all = 3 * joints;
         let fewest = if hand.is_some() { 1 } else { all };
         match table(arrays, name, fewest..=all)? {
-            Some(table) => parts.push(Part {
+            Some(table) => parts.push(JointRotations {
                 first,
                 components: hand.filter(|_| table.width < all),
                 table,
@@ -443,7 +443,7 @@ mod tests {
 
     #[test]
     fn smpl_xs_arrays_take_their_joints() {
-        let poses = Poses::parse(&smpl_x(), SMPL_X).expect("poses");
+        let poses = CapturePoses::parse(&smpl_x(), SMPL_X).expect("poses");
         assert_eq!(
             (poses.frames, poses.expression(), poses.betas.len()),
             (2, 10, 10)
@@ -460,7 +460,7 @@ mod tests {
 
     #[test]
     fn the_root_turns_about_its_joint_before_transl_is_added() {
-        let poses = Poses::parse(&smpl_x(), SMPL_X).expect("poses");
+        let poses = CapturePoses::parse(&smpl_x(), SMPL_X).expect("poses");
         let pose = poses.pose(0, &hands([[0.0; 45]; 2])).expect("a pose");
         let rest = DVec3::new(0.01, -0.35, 0.02);
         let skeleton = Skeleton {
@@ -486,7 +486,7 @@ mod tests {
             ("transl", &[1, 3], &[1.0, 2.0, 3.0]),
             ("flat_hand_mean", &[], &[0.0]),
         ]);
-        let poses = Poses::parse(&bytes, SMPL_X).expect("poses");
+        let poses = CapturePoses::parse(&bytes, SMPL_X).expect("poses");
         let pose = poses
             .pose(1, &hands([[0.5; 45], [0.125; 45]]))
             .expect("a pose");
@@ -505,7 +505,7 @@ mod tests {
             ("transl", &[2, 3], &[0.0; 6]),
             ("flat_hand_mean", &[], &[0.0]),
         ]);
-        let poses = Poses::parse(&bytes, SMPL_X).expect("poses");
+        let poses = CapturePoses::parse(&bytes, SMPL_X).expect("poses");
         let row = |of: fn(usize) -> f64| std::array::from_fn(of);
         let model = Hands {
             mean: [[0.5; 45]; 2],
@@ -529,8 +529,9 @@ mod tests {
 
     #[test]
     fn faults_name_the_array() {
-        let parse =
-            |arrays: &[(&str, &[usize], &[f64])], joints| Poses::parse(&file(arrays), joints);
+        let parse = |arrays: &[(&str, &[usize], &[f64])], joints| {
+            CapturePoses::parse(&file(arrays), joints)
+        };
         let error = |arrays: &[(&str, &[usize], &[f64])], joints| {
             parse(arrays, joints).expect_err("a fault").to_string()
         };

@@ -59,7 +59,7 @@ const HIPS: f32 = 25.0;
 pub const BODY: usize = 22;
 /// SMPL's head.
 const HEAD: u8 = 15;
-/// Skin weights below this are none.
+/// Skin weights below this are ignored.
 const LEAST_WEIGHT: f32 = 1e-4;
 /// Bytes of a joint's name.
 const NAME: usize = 64;
@@ -68,7 +68,7 @@ const SHAPES: usize = 300;
 
 /// A joint that moves a vertex, and how much.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Influence {
+pub struct VertexInfluence {
     /// Index of the joint.
     pub joint: u8,
     /// Above 0. The weights of a vertex sum to 1.
@@ -85,7 +85,7 @@ pub struct Template {
     /// Vertices of each triangle, anticlockwise from outside.
     pub triangles: Vec<[u32; 3]>,
     /// Joints that move each vertex, the largest weight first.
-    pub weights: Vec<Vec<Influence>>,
+    pub weights: Vec<Vec<VertexInfluence>>,
     /// Joints that networks see, in the order of their input.
     pub input_joints: Vec<u8>,
     /// Joints whose parts see the expression.
@@ -95,7 +95,7 @@ pub struct Template {
 }
 
 /// A template with what poses need of it.
-pub struct Model {
+pub struct BodyModel {
     pub template: Template,
     pub hands: Hands,
 }
@@ -113,7 +113,7 @@ impl Template {
     /// The vertices under a pose by linear blend skinning, metres.
     pub fn posed(&self, pose: &Pose) -> Vec<DVec3> {
         let joints = self.joints(pose);
-        let vertex = |(vertex, influences): (&DVec3, &Vec<Influence>)| {
+        let vertex = |(vertex, influences): (&DVec3, &Vec<VertexInfluence>)| {
             let mut sum = DAffine3 {
                 matrix3: DMat3::ZERO,
                 translation: DVec3::ZERO,
@@ -183,7 +183,7 @@ impl Template {
 
 /// Reads a body model. `betas`: its shape, as far as it has directions for them. The expression's
 /// length is left at 0.
-pub fn read(file: &Path) -> Result<Archive, CaptureError> {
+pub fn read(file: &Path) -> Result<TemplateArchive, CaptureError> {
     let bytes = read_bytes(file, limits::ARCHIVE)?;
     let wanted = |name: &str| NAMES.contains(&name);
     let mut arrays = Npz::some_from_bytes(&bytes, 64 << 20, wanted).map_err(|e| fault(file, e))?;
@@ -204,22 +204,22 @@ pub fn read(file: &Path) -> Result<Archive, CaptureError> {
         }
         parent.push(Some(number as u8));
     }
-    Ok(Archive { arrays, parent })
+    Ok(TemplateArchive { arrays, parent })
 }
 
 /// A body model's arrays, with its tree of joints.
-pub struct Archive {
+pub struct TemplateArchive {
     arrays: Npz,
     pub parent: Vec<Option<u8>>,
 }
 
-impl Archive {
+impl TemplateArchive {
     /// The model with a shape. The expression's length is left at 0.
-    pub fn model(mut self, file: &Path, betas: &[f64]) -> Result<Model, CaptureError> {
+    pub fn model(mut self, file: &Path, betas: &[f64]) -> Result<BodyModel, CaptureError> {
         self.build(betas).map_err(|error| fault(file, error))
     }
 
-    fn build(&mut self, betas: &[f64]) -> Result<Model, FormatError> {
+    fn build(&mut self, betas: &[f64]) -> Result<BodyModel, FormatError> {
         let joints = self.parent.len();
         let mut vertices = self.vertices()?;
         let count = vertices.len();
@@ -269,7 +269,7 @@ impl Archive {
                 self.hand_components("hands_componentsr")?,
             ],
         };
-        Ok(Model { template, hands })
+        Ok(BodyModel { template, hands })
     }
 
     fn vertices(&mut self) -> Result<Vec<DVec3>, FormatError> {
@@ -348,18 +348,18 @@ impl Archive {
         Ok(array.floats()?.as_chunks().0.to_vec())
     }
 
-    fn weights(&mut self, count: usize) -> Result<Vec<Vec<Influence>>, FormatError> {
+    fn weights(&mut self, count: usize) -> Result<Vec<Vec<VertexInfluence>>, FormatError> {
         let joints = self.parent.len();
         let array = self.arrays.take("weights")?;
         array.expect_shape(&[count, joints])?;
         let numbers = array.floats()?;
         let mut all = Vec::with_capacity(count);
         for (vertex, row) in numbers.chunks_exact(joints).enumerate() {
-            let mut own: Vec<Influence> = row
+            let mut own: Vec<VertexInfluence> = row
                 .iter()
                 .enumerate()
                 .filter(|&(_, &weight)| weight >= LEAST_WEIGHT)
-                .map(|(joint, &weight)| Influence {
+                .map(|(joint, &weight)| VertexInfluence {
                     joint: joint as u8,
                     weight,
                 })

@@ -1,7 +1,7 @@
 //! `truth.json`: what errors were put into a capture, for evaluation alone.
 
 use crate::{
-    calibration::{Calibration, CaptureCamera},
+    calibration::{CaptureCalibration, CaptureCamera},
     error::{CaptureError, content, fault, read_bytes, unwritable},
     limits,
 };
@@ -38,8 +38,9 @@ pub struct TruthCamera {
 
 /// The document.
 #[derive(Deserialize, Serialize)]
-struct Document {
-    calibration: Calibration,
+#[serde(rename = "Document")]
+struct TruthDocument {
+    calibration: CaptureCalibration,
     /// A camera, in the calibration's order.
     gain: Vec<[f64; 3]>,
     blur: Vec<f64>,
@@ -60,7 +61,7 @@ impl Truth {
             return Ok(None);
         }
         let bytes = read_bytes(&file, limits::TEXT)?;
-        let document: Document = serde_json::from_slice(&bytes).map_err(|error| {
+        let document: TruthDocument = serde_json::from_slice(&bytes).map_err(|error| {
             content(
                 &file,
                 excerpt(&error.to_string()),
@@ -122,8 +123,8 @@ impl Truth {
     pub fn write(&self, folder: &Path) -> Result<(), CaptureError> {
         let cameras: Vec<CaptureCamera> =
             self.cameras.iter().map(|own| own.camera.clone()).collect();
-        let document = Document {
-            calibration: Calibration::of(&cameras),
+        let document = TruthDocument {
+            calibration: CaptureCalibration::of(&cameras),
             gain: self.cameras.iter().map(|own| own.gain).collect(),
             blur: self.cameras.iter().map(|own| own.blur).collect(),
             poses: self

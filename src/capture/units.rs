@@ -17,7 +17,7 @@ pub struct UnitFault {
 }
 
 /// What one camera has of the body.
-struct Sight {
+struct CameraSight {
     /// From the body's root, metres.
     distance: f64,
     /// Of the camera from the origin, metres.
@@ -44,20 +44,20 @@ pub fn fault(capture: &Capture) -> Option<UnitFault> {
             .joints(&capture.frames[frame].pose);
         let root = joints.first()?.translation;
         let distance = own.camera.eye().distance(root);
-        Some(Sight {
+        Some(CameraSight {
             distance,
             eye: own.camera.eye().length(),
             root: root.length(),
             share: own.camera.focal.y * height / distance / f64::from(own.camera.size[1]),
         })
     };
-    let sights: Vec<Sight> = capture
+    let sights: Vec<CameraSight> = capture
         .cameras
         .iter()
         .enumerate()
         .filter_map(sight)
         .collect();
-    let middle = |of: fn(&Sight) -> f64| {
+    let middle = |of: fn(&CameraSight) -> f64| {
         let mut all: Vec<f64> = sights.iter().map(of).collect();
         all.sort_by(f64::total_cmp);
         all.get(all.len() / 2).copied().unwrap_or(0.0)

@@ -2,7 +2,7 @@
 //! there is no capture.
 
 use crate::{
-    calibration::{Calibration, CaptureCamera},
+    calibration::{CaptureCalibration, CaptureCamera},
     capture::CaptureFrame,
     error::{CaptureError, unwritable},
     layouts,
@@ -116,7 +116,10 @@ impl CaptureWriter {
         let text = serde_json::to_string(&held).map_err(|error| unwritable(&file, error.into()))?;
         replace(&file, text.as_bytes())?;
         let file = self.folder.join(layouts::OWN.calibration);
-        replace(&file, Calibration::of(&self.cameras).text().as_bytes())?;
+        replace(
+            &file,
+            CaptureCalibration::of(&self.cameras).text().as_bytes(),
+        )?;
         Ok(())
     }
 }
@@ -124,13 +127,13 @@ impl CaptureWriter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Capture, Influence, Reason, limits};
+    use crate::{Capture, OmissionReason, VertexInfluence, limits};
     use effigy_core::{avatar::Skeleton, scene::Camera};
     use glam::DVec3;
 
     /// Two joints, three vertices.
     fn template() -> Template {
-        let influence = |joint| Influence { joint, weight: 1.0 };
+        let influence = |joint| VertexInfluence { joint, weight: 1.0 };
         Template {
             skeleton: Skeleton {
                 name: vec!["root".into(), "Überarm".into()],
@@ -244,7 +247,7 @@ mod tests {
         assert!(capture.has(1, 0) && !capture.has(0, 0));
         assert!(matches!(
             capture.left_out[3].reason,
-            Reason::Size { found: [4, 6], .. }
+            OmissionReason::Size { found: [4, 6], .. }
         ));
     }
 

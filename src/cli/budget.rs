@@ -2,7 +2,7 @@
 
 use crate::options::{self, count};
 use effigy_core::avatar::limits;
-use effigy_learn::prune::Budget;
+use effigy_learn::prune::RowBudget;
 
 /// How many correctives stay.
 #[derive(clap::Args, Clone, Copy, Debug, Default, PartialEq)]
@@ -22,11 +22,11 @@ pub struct BudgetArgs {
 
 impl BudgetArgs {
     /// The budget for an avatar of so many Gaussians.
-    pub fn budget(&self, gaussians: usize) -> Budget {
+    pub fn budget(&self, gaussians: usize) -> RowBudget {
         match (self.rows, self.variance) {
-            (Some(rows), _) => Budget::Rows(rows),
-            (None, Some(share)) => Budget::Variance(share),
-            (None, None) => Budget::Contribution(self.keep.unwrap_or(3 * gaussians / 10)),
+            (Some(rows), _) => RowBudget::Rows(rows),
+            (None, Some(share)) => RowBudget::Variance(share),
+            (None, None) => RowBudget::Contribution(self.keep.unwrap_or(3 * gaussians / 10)),
         }
     }
 }

@@ -14,7 +14,7 @@ use effigy_core::{
 };
 use effigy_learn::{
     bake,
-    pictures::{self, Flaws, PictureOptions, Shot, plan_frames},
+    pictures::{self, ClipFrame, Flaws, PictureOptions, plan_frames},
 };
 use std::{
     path::{Path, PathBuf},
@@ -188,7 +188,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 /// Gives a share of the training frames a random expression: each component is 0 or, with a
 /// probability of 0.4, uniform up to 1.
-fn make_faces(poses: &mut Clip, shots: &[Shot], share: f64, seed: u64) {
+fn make_faces(poses: &mut Clip, shots: &[ClipFrame], share: f64, seed: u64) {
     let faces = poses.expression.chunks_exact_mut(poses.expression_len);
     for (frame, (face, shot)) in faces.zip(shots).enumerate() {
         if shot.held {
@@ -218,7 +218,7 @@ fn clip_by_file_name(path: &Path) -> anyhow::Result<Clip> {
 }
 
 /// The poses of the frames, as one clip with the skeleton's joints.
-fn poses(clips: &[Clip], shots: &[Shot], skeleton: &Skeleton) -> Clip {
+fn poses(clips: &[Clip], shots: &[ClipFrame], skeleton: &Skeleton) -> Clip {
     let mut poses = Clip {
         name: "poses".into(),
         expression_len: EXPRESSION,

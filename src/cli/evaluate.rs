@@ -12,8 +12,8 @@ use effigy::vulkan::Gpu;
 use effigy_capture::Capture;
 use effigy_core::{avatar::Avatar, scene::FrameImage};
 use effigy_learn::score::{
-    AS_GIVEN, Candidate, Compared, Ground, Means, Region, Report, Scorer, View, ViewChoice,
-    ViewScore, choose,
+    AS_GIVEN, Ground, Means, PictureIndex, Region, ScoreReport, ScoredImages, ScoredView, Scorer,
+    ViewChoice, ViewScore, choose,
 };
 use effigy_perceptual::{Network, Perceptual, Planes};
 use effigy_train::{
@@ -119,8 +119,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         None => None,
     };
     let candidate = match (&avatar, &args.pictures) {
-        (Some(avatar), _) => Candidate::Avatar(avatar),
-        (None, Some(folder)) => Candidate::Pictures(folder),
+        (Some(avatar), _) => ScoredImages::Avatar(avatar),
+        (None, Some(folder)) => ScoredImages::Pictures(folder),
         (None, None) => bail!("neither an avatar nor --pictures: there is nothing to evaluate"),
     };
     let perceptual = perceptual(args)?;
@@ -184,7 +184,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         !scores.is_empty(),
         "no picture could be compared: {left_out} are left out"
     );
-    let report = Report::new(scorer.protocol(), scores);
+    let report = ScoreReport::new(scorer.protocol(), scores);
     print!("{}", table(&report));
     if left_out > 0 {
         println!("{left_out} of {} pictures are left out", views.len());
@@ -202,7 +202,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 fn refitted(
     capture: Capture,
     avatar: &Avatar,
-    views: &[View],
+    views: &[PictureIndex],
     args: &Args,
 ) -> anyhow::Result<Capture> {
     let mut frames: Vec<usize> = views.iter().map(|view| view.frame).collect();
@@ -276,7 +276,7 @@ fn perceptual(args: &Args) -> anyhow::Result<Option<Perceptual>> {
 }
 
 /// Truth, candidate and error side by side.
-fn write_image(folder: &Path, score: &ViewScore, compared: &Compared) -> anyhow::Result<()> {
+fn write_image(folder: &Path, score: &ViewScore, compared: &ScoredView) -> anyhow::Result<()> {
     let row = [
         image(&compared.truth),
         image(&compared.image),
@@ -332,7 +332,7 @@ fn errors(truth: &Planes, image: &Planes) -> Planes {
 }
 
 /// The protocol, then a line for each group and region.
-fn table(report: &Report) -> String {
+fn table(report: &ScoreReport) -> String {
     let protocol = &report.protocol;
     let perceptual = protocol.perceptual.as_deref().unwrap_or("ST-LPIPS");
     let mut text = format!(

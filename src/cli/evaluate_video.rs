@@ -5,7 +5,7 @@ use crate::{output::Output, progress};
 use anyhow::{Context, ensure};
 use effigy_capture::Capture;
 use effigy_core::scene::PixelRect;
-use effigy_learn::score::{Scorer, View};
+use effigy_learn::score::{PictureIndex, Scorer};
 use effigy_perceptual::Planes;
 
 /// A capture has no rate.
@@ -14,12 +14,12 @@ const FRAMES_A_SECOND: u16 = 10;
 const GREY: u8 = 64;
 
 /// The views of the first camera that is held out, or of the first where none is, in their order.
-pub fn views(capture: &Capture) -> Vec<View> {
+pub fn views(capture: &Capture) -> Vec<PictureIndex> {
     let held = capture.cameras.iter().position(|camera| camera.held);
     let camera = held.unwrap_or(0);
     (0..capture.frames.len())
         .filter(|&frame| capture.has(camera, frame))
-        .map(|frame| View { camera, frame })
+        .map(|frame| PictureIndex { camera, frame })
         .collect()
 }
 
@@ -55,7 +55,7 @@ pub fn write(
 
 /// The animation of a part of the picture.
 fn animation(
-    views: &[View],
+    views: &[PictureIndex],
     part: PixelRect,
     scorer: &Scorer,
     error: impl Fn(&Planes, &Planes) -> Planes,

@@ -12,13 +12,16 @@ use crate::{
 };
 use anyhow::Context;
 use effigy::vulkan::Gpu;
-use effigy_capture::{Capture, CaptureOptions, tally};
+use effigy_capture::{Capture, CaptureOpenOptions, tally};
 use effigy_perceptual::Network;
 use effigy_train::{
-    log::Progress,
+    log::TrainingProgress,
     preflight,
     recipe::{PerceptualKind, Preset, Recipe},
-    session::{Outcome, POSES, Plan, RECIPE, Session, SessionOptions, Standing},
+    session::{
+        POSES, RECIPE, SessionOptions, TrainingOutcome, TrainingPlan, TrainingSession,
+        TrainingStatus,
+    },
 };
 use std::{
     fmt,
@@ -161,7 +164,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let recipe = with_known_weights(recipe(&args)?, &args, &work);
     let stop = Interrupts::listen()?;
-    let standing = Arc::new(Standing::default());
+    let standing = Arc::new(TrainingStatus::default());
     let left = standing.clone();
     // Whoever starts trainings is told to try again, as when one has begun.
     let code = Ended::Stopped { steps: 0 }.exit_code();
@@ -185,7 +188,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         name: name.into_owned(),
         credit: String::new(),
     };
-    let announce = |plan: &Plan| {
+    let announce = |plan: &TrainingPlan| {
         println!(
             "{}: {} pictures, views of {} × {} px; {} Gaussians in {} parts; {:.0} MB on {}",
             folder.display(),
@@ -204,14 +207,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             println!("checking first that every input moves a pixel");
         }
     };
-    let mut session = Session::new(&gpu, &capture, &recipe, options, announce)?;
+    let mut session = TrainingSession::new(&gpu, &capture, &recipe, options, announce)?;
     let outcome = learn(&mut session, stop.flag(), &capture, &args)?;
     match outcome {
-        Outcome::Stopped => Err(Ended::Stopped {
+        TrainingOutcome::Stopped => Err(Ended::Stopped {
             steps: session.steps(),
         }
         .into()),
-        Outcome::Done(avatar) => {
+        TrainingOutcome::Done(avatar) => {
             avatar.write(out)?;
             let megabytes = out.metadata().map_or(0.0, |file| file.len() as f64 / 1e6);
             println!(
@@ -247,14 +250,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 /// Trains, with a window beside where one is asked for and can be opened.
 fn learn(
-    session: &mut Session,
+    session: &mut TrainingSession,
     stop: &AtomicBool,
     capture: &Capture,
     args: &Args,
-) -> anyhow::Result<Outcome> {
+) -> anyhow::Result<TrainingOutcome> {
     let window = window(session, capture, args)?;
     let bar = progress::share();
-    let report = |now: &Progress| {
+    let report = |now: &TrainingProgress| {
         bar.set_position((1000.0 * now.share) as u64);
         bar.set_message(message(now));
     };
@@ -284,7 +287,7 @@ fn learn(
 /// been started to run for a night.
 #[cfg(feature = "window")]
 fn window(
-    session: &Session,
+    session: &TrainingSession,
     capture: &Capture,
     args: &Args,
 ) -> anyhow::Result<Option<live::Window>> {
@@ -308,7 +311,7 @@ fn window(
 }
 
 #[cfg(not(feature = "window"))]
-fn window(_: &Session, _: &Capture, args: &Args) -> anyhow::Result<Option<()>> {
+fn window(_: &TrainingSession, _: &Capture, args: &Args) -> anyhow::Result<Option<()>> {
     if args.view {
         eprintln!("this program was built without its window: training without it");
     }
@@ -316,7 +319,7 @@ fn window(_: &Session, _: &Capture, args: &Args) -> anyhow::Result<Option<()>> {
 }
 
 /// A line of progress: what is left, and the last losses.
-fn message(now: &Progress) -> String {
+fn message(now: &TrainingProgress) -> String {
     let left = if now.share > 0.0 {
         now.seconds * (1.0 / now.share - 1.0)
     } else {
@@ -417,7 +420,7 @@ fn changed(text: &str, changes: &[String]) -> Result<Recipe, String> {
 
 /// Opens the capture, and says what is left out.
 fn read_capture(folder: &Path, args: &Args) -> anyhow::Result<Arc<Capture>> {
-    let options = CaptureOptions {
+    let options = CaptureOpenOptions {
         template: args.template.clone(),
     };
     let mut capture = Capture::read_with(folder, &options)?;

@@ -16,7 +16,7 @@ pub struct Dart {
 }
 
 /// The places that were chosen.
-pub struct Chosen {
+pub struct ChosenDarts {
     /// Indices into the darts.
     pub indices: Vec<usize>,
     /// The radius at density 1, metres.
@@ -25,13 +25,13 @@ pub struct Chosen {
 
 /// Chooses `count` of the darts, each further than its radius from every earlier one of its layer.
 /// The radius is fitted so that about as many are left; missing ones are taken from those rejected.
-pub fn choose(darts: &[Dart], count: usize) -> Chosen {
+pub fn choose(darts: &[Dart], count: usize) -> ChosenDarts {
     const ROUNDS: usize = 24;
     let positions = || darts.iter().map(|dart| dart.position);
     let low = positions().fold(DVec3::INFINITY, DVec3::min);
     let high = positions().fold(DVec3::NEG_INFINITY, DVec3::max);
     let mut radius = 0.3 * (high - low).length() / (count.max(1) as f64).sqrt();
-    let mut best = Chosen {
+    let mut best = ChosenDarts {
         indices: Vec::new(),
         base_radius: radius,
     };
@@ -43,7 +43,7 @@ pub fn choose(darts: &[Dart], count: usize) -> Chosen {
         let found = indices.len();
         if found <= count {
             if found > best.indices.len() {
-                best = Chosen {
+                best = ChosenDarts {
                     indices,
                     base_radius: radius,
                 };

@@ -1,7 +1,7 @@
 //! The blur that halves feature maps, and its gradient: [1, 2, 1] / 4 across and down, with stride
 //! 2, after two mirrored pixels were added to each side.
 
-use crate::{maps::Maps, network::Step};
+use crate::{maps::Maps, network::NetworkStep};
 
 /// The three pixels of a line under the window of a written one, mirrored at the ends. They count
 /// 1, 2 and 1.
@@ -21,7 +21,7 @@ fn under(at: usize, length: usize) -> [usize; 3] {
 /// The blurred maps. Both sides must be at least 3.
 pub fn forward(input: &Maps) -> Maps {
     let [width, height] = input.size;
-    let size = input.size.map(|side| Step::Blur.side(side));
+    let size = input.size.map(|side| NetworkStep::Blur.side(side));
     input.mapped(size, |output, input| {
         let mut line = vec![0.0f32; width];
         for (y, output) in output.chunks_exact_mut(size[0]).enumerate() {

@@ -18,20 +18,20 @@ const SLOPE_TOLERANCE: f64 = 5e-3;
 
 /// The distance of the built-in pictures, and its derivative along the built-in direction.
 #[derive(Clone, Copy, Debug)]
-pub struct Known {
+pub struct KnownDistance {
     value: f64,
     slope: f64,
 }
 
 /// Of the published weights, found by tests/data/perceptual/make.py. None for LPIPS, whose weights
 /// it was not given.
-pub fn published(network: Network) -> Option<Known> {
+pub fn published(network: Network) -> Option<KnownDistance> {
     match network {
-        Network::Alex => Some(Known {
+        Network::Alex => Some(KnownDistance {
             value: 0.342_493_751_899,
             slope: 0.047_809_810_123,
         }),
-        Network::Vgg => Some(Known {
+        Network::Vgg => Some(KnownDistance {
             value: 0.236_079_900_038,
             slope: -0.036_148_800_151,
         }),
@@ -40,10 +40,10 @@ pub fn published(network: Network) -> Option<Known> {
 }
 
 /// Of any weights, in f64.
-pub fn worked_out(network: Network, weights: &Weights) -> Known {
+pub fn worked_out(network: Network, weights: &Weights) -> KnownDistance {
     let pictures = [&picture(0, SIZE), &direction(SIZE), &picture(1, SIZE)];
     let found = reference::differential(network, weights, pictures);
-    Known {
+    KnownDistance {
         value: found.value,
         slope: found.slope,
     }
@@ -52,7 +52,7 @@ pub fn worked_out(network: Network, weights: &Weights) -> Known {
 /// Compares what is worked out with what is known.
 pub fn compare(
     network: Network,
-    known: &Known,
+    known: &KnownDistance,
     graded: impl Fn(&Planes, &Planes) -> Graded,
 ) -> Result<(), PerceptualError> {
     let found = graded(&picture(0, SIZE), &picture(1, SIZE));
@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn wrong_distances_and_wrong_gradients_are_seen() {
-        let known = Known {
+        let known = KnownDistance {
             value: 0.5,
             slope: 2.0,
         };

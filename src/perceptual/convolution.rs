@@ -5,9 +5,9 @@
 //! sum are added in their order: the same bits come out on every run.
 
 use crate::{
-    gemm::{Matrix, multiply},
+    gemm::{StridedMatrix, multiply},
     maps::Maps,
-    network::{Shape, Step},
+    network::{ConvolutionShape, NetworkStep},
 };
 use rayon::prelude::*;
 use std::{cell::Cell, ops::Range};
@@ -25,7 +25,7 @@ thread_local! {
 /// A convolution and its weights.
 #[derive(Clone, Debug)]
 pub struct Convolution {
-    pub shape: Shape,
+    pub shape: ConvolutionShape,
     /// Shape: to · from · window · window.
     pub weight: Vec<f32>,
     /// Shape: to.
@@ -56,7 +56,7 @@ fn tasks(size: [usize; 2], channels: usize) -> Vec<Task> {
 }
 
 impl Convolution {
-    pub fn new(shape: Shape, weight: Vec<f32>, bias: Vec<f32>) -> Self {
+    pub fn new(shape: ConvolutionShape, weight: Vec<f32>, bias: Vec<f32>) -> Self {
         assert!(weight.len() == shape.to * shape.fan() && bias.len() == shape.to);
         Self {
             shape,
@@ -67,7 +67,9 @@ impl Convolution {
 
     /// What it writes for feature maps. `rectify`: negative numbers become 0.
     pub fn forward(&self, input: &Maps, rectify: bool) -> Maps {
-        let size = input.size.map(|side| Step::Convolve(self.shape).side(side));
+        let size = input
+            .size
+            .map(|side| NetworkStep::Convolve(self.shape).side(side));
         let fan = self.shape.fan();
         let tasks = tasks(size, self.shape.to);
         let tiles: Vec<Vec<f32>> = tasks
@@ -79,8 +81,8 @@ impl Convolution {
                     self.gather(input, size, &task.rows, memory);
                     let weight = &self.weight[task.channels.start * fan..task.channels.end * fan];
                     multiply(
-                        Matrix::new(weight, task.channels.len(), fan),
-                        Matrix::new(memory, fan, columns),
+                        StridedMatrix::new(weight, task.channels.len(), fan),
+                        StridedMatrix::new(memory, fan, columns),
                         &mut tile,
                     );
                 });
@@ -112,7 +114,7 @@ impl Convolution {
     /// `read`: the size of the former.
     pub fn backward(&self, gradient: &Maps, read: [usize; 2]) -> Maps {
         let size = gradient.size;
-        let Shape {
+        let ConvolutionShape {
             window,
             pad,
             stride,
@@ -134,14 +136,14 @@ impl Convolution {
                 let rows = reach(task);
                 let mut band = vec![0.0; task.channels.len() * rows.len() * read[0]];
                 with_memory(task.channels.len() * under * columns, |memory| {
-                    let weight = Matrix {
+                    let weight = StridedMatrix {
                         numbers: &self.weight[task.channels.start * under..],
                         rows: self.shape.to,
                         columns: task.channels.len() * under,
                         row_stride: fan,
                         column_stride: 1,
                     };
-                    let gradient = Matrix {
+                    let gradient = StridedMatrix {
                         numbers: &gradient.data[task.rows.start * size[0]..],
                         rows: self.shape.to,
                         columns,
@@ -179,7 +181,7 @@ impl Convolution {
 
     /// Columns of what it reads for some rows of what it writes, of the size `size`.
     fn gather(&self, input: &Maps, size: [usize; 2], rows: &Range<usize>, columns: &mut [f32]) {
-        let Shape { window, stride, .. } = self.shape;
+        let ConvolutionShape { window, stride, .. } = self.shape;
         let [width, height] = input.size;
         let mut of_rows = columns.chunks_exact_mut(size[0]);
         for plane in input.data.chunks_exact(width * height) {
@@ -218,7 +220,7 @@ impl Convolution {
         reach: &Range<usize>,
         width: usize,
     ) {
-        let Shape { window, stride, .. } = self.shape;
+        let ConvolutionShape { window, stride, .. } = self.shape;
         let mut of_rows = columns.chunks_exact(written);
         for (down, across) in (0..window).flat_map(|y| (0..window).map(move |x| (y, x))) {
             let [out, from] = self.overlap(written, width, across);
@@ -245,7 +247,7 @@ impl Convolution {
     /// The pixels of a row that is written under which a number of the window lies in the row that
     /// is read, and the pixels there from the first such to the last.
     fn overlap(&self, written: usize, read: usize, across: usize) -> [Range<usize>; 2] {
-        let Shape { pad, stride, .. } = self.shape;
+        let ConvolutionShape { pad, stride, .. } = self.shape;
         let start = pad.saturating_sub(across).div_ceil(stride).min(written);
         let end = (read + pad).saturating_sub(across).div_ceil(stride);
         let end = end.clamp(start, written);

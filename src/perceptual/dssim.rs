@@ -37,9 +37,9 @@ fn of_channels(image: &Planes, target: &Planes, with_gradient: bool) -> Graded {
         image.is_whole() && target.is_whole(),
         "a picture lacks numbers"
     );
-    let window = Window::new(image.size);
+    let window = GaussianWindow::new(image.size);
     let plane = image.size[0] * image.size[1];
-    let channels: Vec<Channel> = image
+    let channels: Vec<ChannelSsim> = image
         .data
         .par_chunks_exact(plane.max(1))
         .zip(target.data.par_chunks_exact(plane.max(1)))
@@ -57,14 +57,14 @@ fn of_channels(image: &Planes, target: &Planes, with_gradient: bool) -> Graded {
 }
 
 /// The mean SSIM of a channel.
-struct Channel {
+struct ChannelSsim {
     similarity: f64,
-    /// Its derivative with respect to each pixel; empty where none was asked for.
+    /// Its derivative with respect to each pixel; empty where it was not requested.
     gradient: Vec<f64>,
 }
 
 /// Means under the window, for planes of a size.
-struct Window {
+struct GaussianWindow {
     size: [usize; 2],
     weights: [f64; WINDOW],
     /// One over the sum of the weights inside, for each column and each row.
@@ -72,7 +72,7 @@ struct Window {
     over_rows: Vec<f64>,
 }
 
-impl Window {
+impl GaussianWindow {
     fn new(size: [usize; 2]) -> Self {
         let weights: [f64; WINDOW] = std::array::from_fn(|k| {
             (-0.5 * ((k as f64 - RADIUS as f64) / DEVIATION).powi(2)).exp()
@@ -92,7 +92,7 @@ impl Window {
     }
 
     /// The mean SSIM of two planes, and its derivative with respect to the first.
-    fn compare(&self, a: &[f32], b: &[f32], with_gradient: bool) -> Channel {
+    fn compare(&self, a: &[f32], b: &[f32], with_gradient: bool) -> ChannelSsim {
         let a: Vec<f64> = a.iter().map(|&n| f64::from(n)).collect();
         let b: Vec<f64> = b.iter().map(|&n| f64::from(n)).collect();
         let product = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).collect();
@@ -132,7 +132,7 @@ impl Window {
                 gradient[i] += 2.0 * a[i] * by_aa[i] + b[i] * by_ab[i];
             }
         }
-        Channel {
+        ChannelSsim {
             similarity,
             gradient,
         }

@@ -2,7 +2,7 @@
 
 /// A matrix in a slice, with the distances between its neighbours.
 #[derive(Clone, Copy)]
-pub struct Matrix<'a> {
+pub struct StridedMatrix<'a> {
     pub numbers: &'a [f32],
     pub rows: usize,
     pub columns: usize,
@@ -10,7 +10,7 @@ pub struct Matrix<'a> {
     pub column_stride: usize,
 }
 
-impl<'a> Matrix<'a> {
+impl<'a> StridedMatrix<'a> {
     /// A matrix whose rows follow each other.
     pub fn new(numbers: &'a [f32], rows: usize, columns: usize) -> Self {
         Self {
@@ -41,7 +41,7 @@ impl<'a> Matrix<'a> {
 }
 
 /// `out` = `a` · `b`, in rows of `b.columns`.
-pub fn multiply(a: Matrix, b: Matrix, out: &mut [f32]) {
+pub fn multiply(a: StridedMatrix, b: StridedMatrix, out: &mut [f32]) {
     assert!(a.columns == b.rows && out.len() == a.rows * b.columns);
     assert!(a.span() <= a.numbers.len() && b.span() <= b.numbers.len());
     // SAFETY: both matrices stay within their slices, and `out` has a number for each of theirs.

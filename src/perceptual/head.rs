@@ -88,8 +88,8 @@ pub fn distance(maps: &Maps, target: &Maps, weights: &[f32], with_gradient: bool
             gradient: None,
         };
     }
-    // A length's derivative is a unit vector: none where the length is 0, and no number of the
-    // features is above 0 there, so that nothing further down asks for it.
+    // A length's derivative is a unit vector, undefined where the length is 0. All features are 0
+    // there, so the gradient is never read.
     let along: Vec<f32> = along
         .iter()
         .zip(&over)

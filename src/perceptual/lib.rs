@@ -27,7 +27,7 @@ mod weights;
 pub use dssim::{dssim, dssim_and_gradient};
 pub use error::PerceptualError;
 pub use network::{Network, WeightFile};
-pub use perceptual::{Features, Perceptual};
+pub use perceptual::{Perceptual, TargetFeatures};
 pub use planes::{Graded, Planes};
 pub use reference::Differential;
 pub use synthetic::{direction, picture};

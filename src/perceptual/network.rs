@@ -22,14 +22,14 @@ pub struct WeightFile {
     pub name: &'static str,
     /// Where it is from.
     pub origin: &'static str,
-    pub(crate) parts: Parts,
+    pub(crate) parts: WeightParts,
     /// The sum of the magnitudes of all numbers that are read; None where it is not known.
     pub(crate) sum: Option<f64>,
 }
 
 /// Which weights a file has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Parts {
+pub(crate) enum WeightParts {
     All,
     /// What channels count.
     Heads,
@@ -39,9 +39,9 @@ pub(crate) enum Parts {
 
 /// A step of a network.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step {
+pub enum NetworkStep {
     /// A convolution with a bias.
-    Convolve(Shape),
+    Convolve(ConvolutionShape),
     /// The greatest of 0 and a number.
     Rectify,
     /// The greatest number of each window, with stride 1 and no padding. Its side, px.
@@ -55,7 +55,7 @@ pub enum Step {
 
 /// The shape of a convolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
+pub struct ConvolutionShape {
     /// Its name in files of weights.
     pub name: &'static str,
     /// Channels that it reads and writes.
@@ -69,15 +69,20 @@ pub struct Shape {
     pub stride: usize,
 }
 
-impl Shape {
+impl ConvolutionShape {
     /// Weights of one channel that it writes.
     pub fn fan(&self) -> usize {
         self.from * self.window * self.window
     }
 }
 
-const fn convolve(name: &'static str, channels: [usize; 2], window: usize, pad: usize) -> Step {
-    Step::Convolve(Shape {
+const fn convolve(
+    name: &'static str,
+    channels: [usize; 2],
+    window: usize,
+    pad: usize,
+) -> NetworkStep {
+    NetworkStep::Convolve(ConvolutionShape {
         name,
         from: channels[0],
         to: channels[1],
@@ -89,80 +94,86 @@ const fn convolve(name: &'static str, channels: [usize; 2], window: usize, pad: 
 
 /// Layers of a network: after each, features are compared.
 pub const LAYERS: usize = 5;
-type Layers = [&'static [Step]; LAYERS];
+type Layers = [&'static [NetworkStep]; LAYERS];
 
 const ALEX: Layers = [
     &[
         convolve("net.slice1.0", [3, 64], 11, 2),
-        Step::Blur,
-        Step::Rectify,
+        NetworkStep::Blur,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(3),
-        Step::Blur,
+        NetworkStep::Pool(3),
+        NetworkStep::Blur,
         convolve("net.slice2.5", [64, 192], 5, 2),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(3),
-        Step::Blur,
+        NetworkStep::Pool(3),
+        NetworkStep::Blur,
         convolve("net.slice3.9", [192, 384], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
-    &[convolve("net.slice4.11", [384, 256], 3, 1), Step::Rectify],
-    &[convolve("net.slice5.13", [256, 256], 3, 1), Step::Rectify],
+    &[
+        convolve("net.slice4.11", [384, 256], 3, 1),
+        NetworkStep::Rectify,
+    ],
+    &[
+        convolve("net.slice5.13", [256, 256], 3, 1),
+        NetworkStep::Rectify,
+    ],
 ];
 
 const VGG: Layers = [
     &[
         convolve("net.slice1.0", [3, 64], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice1.2", [64, 64], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Blur,
+        NetworkStep::Pool(2),
+        NetworkStep::Blur,
         convolve("net.slice2.6", [64, 128], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice2.8", [128, 128], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Blur,
+        NetworkStep::Pool(2),
+        NetworkStep::Blur,
         convolve("net.slice3.12", [128, 256], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice3.14", [256, 256], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice3.16", [256, 256], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Blur,
+        NetworkStep::Pool(2),
+        NetworkStep::Blur,
         convolve("net.slice4.20", [256, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice4.22", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice4.24", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Blur,
+        NetworkStep::Pool(2),
+        NetworkStep::Blur,
         convolve("net.slice5.28", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice5.30", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("net.slice5.32", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
 ];
 
 const LPIPS_ALEX: Layers = [
     &[
-        Step::Convolve(Shape {
+        NetworkStep::Convolve(ConvolutionShape {
             name: "features.0",
             from: 3,
             to: 64,
@@ -170,68 +181,74 @@ const LPIPS_ALEX: Layers = [
             pad: 2,
             stride: 4,
         }),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(3),
-        Step::Thin(2),
+        NetworkStep::Pool(3),
+        NetworkStep::Thin(2),
         convolve("features.3", [64, 192], 5, 2),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(3),
-        Step::Thin(2),
+        NetworkStep::Pool(3),
+        NetworkStep::Thin(2),
         convolve("features.6", [192, 384], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
-    &[convolve("features.8", [384, 256], 3, 1), Step::Rectify],
-    &[convolve("features.10", [256, 256], 3, 1), Step::Rectify],
+    &[
+        convolve("features.8", [384, 256], 3, 1),
+        NetworkStep::Rectify,
+    ],
+    &[
+        convolve("features.10", [256, 256], 3, 1),
+        NetworkStep::Rectify,
+    ],
 ];
 
 const LPIPS_VGG: Layers = [
     &[
         convolve("features.0", [3, 64], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.2", [64, 64], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Thin(2),
+        NetworkStep::Pool(2),
+        NetworkStep::Thin(2),
         convolve("features.5", [64, 128], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.7", [128, 128], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Thin(2),
+        NetworkStep::Pool(2),
+        NetworkStep::Thin(2),
         convolve("features.10", [128, 256], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.12", [256, 256], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.14", [256, 256], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Thin(2),
+        NetworkStep::Pool(2),
+        NetworkStep::Thin(2),
         convolve("features.17", [256, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.19", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.21", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
     &[
-        Step::Pool(2),
-        Step::Thin(2),
+        NetworkStep::Pool(2),
+        NetworkStep::Thin(2),
         convolve("features.24", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.26", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
         convolve("features.28", [512, 512], 3, 1),
-        Step::Rectify,
+        NetworkStep::Rectify,
     ],
 ];
 
@@ -240,7 +257,7 @@ const fn shift_tolerant(name: &'static str, sum: f64) -> WeightFile {
     WeightFile {
         name,
         origin: "of stlpips-pytorch 0.0.2, which tools/fetch_perceptual.sh gets",
-        parts: Parts::All,
+        parts: WeightParts::All,
         sum: Some(sum),
     }
 }
@@ -250,7 +267,7 @@ const fn heads(name: &'static str, sum: f64) -> WeightFile {
     WeightFile {
         name,
         origin: "of lpips 0.1.4, which tools/fetch_perceptual.sh gets",
-        parts: Parts::Heads,
+        parts: WeightParts::Heads,
         sum: Some(sum),
     }
 }
@@ -260,7 +277,7 @@ const fn trunk(name: &'static str, origin: &'static str) -> WeightFile {
     WeightFile {
         name,
         origin,
-        parts: Parts::Trunk,
+        parts: WeightParts::Trunk,
         sum: None,
     }
 }
@@ -285,7 +302,7 @@ const LPIPS_VGG_FILES: &[WeightFile] = &[
 ];
 
 impl Network {
-    /// The network's name, by which it is asked for.
+    /// The network's name in options.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Alex => "alex",
@@ -336,10 +353,10 @@ impl Network {
     }
 
     /// Its convolutions in order.
-    pub(crate) fn convolutions(self) -> impl Iterator<Item = Shape> {
+    pub(crate) fn convolutions(self) -> impl Iterator<Item = ConvolutionShape> {
         let steps = self.layers().iter().copied().flatten();
         steps.filter_map(|step| match step {
-            Step::Convolve(shape) => Some(*shape),
+            NetworkStep::Convolve(shape) => Some(*shape),
             _ => None,
         })
     }
@@ -369,7 +386,7 @@ impl Network {
         let mut operations = 0.0;
         for step in self.layers().iter().copied().flatten() {
             sides = sides.map(|side| step.side(side));
-            if let Step::Convolve(shape) = step {
+            if let NetworkStep::Convolve(shape) = step {
                 operations += 2.0 * (shape.fan() * shape.to * sides[0] * sides[1]) as f64;
             }
         }
@@ -377,7 +394,7 @@ impl Network {
     }
 }
 
-impl Step {
+impl NetworkStep {
     /// The side of what it writes for one of what it reads, px.
     pub fn side(&self, side: usize) -> usize {
         match self {

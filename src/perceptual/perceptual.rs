@@ -3,11 +3,11 @@
 
 use crate::{
     blur,
-    check::{self, Known},
+    check::{self, KnownDistance},
     error::PerceptualError,
     head::{self, SCALE, SHIFT},
     maps::Maps,
-    network::{LAYERS, Network, Step},
+    network::{LAYERS, Network, NetworkStep},
     planes::{Graded, Planes},
     pool,
     reference::{self, Differential},
@@ -23,12 +23,12 @@ pub struct Perceptual {
     network: Network,
     weights: Weights,
     /// What is known of its distances; None for LPIPS and for weights that were made here.
-    known: Option<Known>,
+    known: Option<KnownDistance>,
 }
 
 /// What a network sees of a target: worked out once, and compared with many pictures.
 #[derive(Clone, Debug)]
-pub struct Features {
+pub struct TargetFeatures {
     network: Network,
     /// Width and height of the picture, px.
     size: [usize; 2],
@@ -36,7 +36,7 @@ pub struct Features {
     units: Vec<Maps>,
 }
 
-impl Features {
+impl TargetFeatures {
     /// Width and height of the picture that they are of, px.
     pub fn size(&self) -> [usize; 2] {
         self.size
@@ -50,7 +50,7 @@ impl Features {
 
 /// What the steps of a network wrote, the picture as the network takes it first. Steps that rectify
 /// change what the one before wrote.
-struct Trace {
+struct ForwardTrace {
     written: Vec<Maps>,
 }
 
@@ -125,10 +125,10 @@ impl Perceptual {
     ///
     /// # Panics
     /// When a side is smaller than [`Self::smallest_side`], or numbers are missing.
-    pub fn features(&self, image: &Planes) -> Features {
+    pub fn features(&self, image: &Planes) -> TargetFeatures {
         let mut units = Vec::with_capacity(LAYERS);
         self.run(image, false, &mut |_, maps| units.push(head::unit(maps)));
-        Features {
+        TargetFeatures {
             network: self.network,
             size: image.size,
             units,
@@ -139,7 +139,7 @@ impl Perceptual {
     ///
     /// # Panics
     /// When the target was seen by another network or has another size, and as [`Self::features`].
-    pub fn value(&self, image: &Planes, target: &Features) -> f64 {
+    pub fn value(&self, image: &Planes, target: &TargetFeatures) -> f64 {
         self.assert_fits(image, target);
         let mut value = 0.0;
         self.run(image, false, &mut |layer, maps| {
@@ -155,7 +155,7 @@ impl Perceptual {
     ///
     /// # Panics
     /// As [`Self::value`].
-    pub fn value_and_gradient(&self, image: &Planes, target: &Features) -> Graded {
+    pub fn value_and_gradient(&self, image: &Planes, target: &TargetFeatures) -> Graded {
         self.assert_fits(image, target);
         let mut value = 0.0;
         let mut gradients = Vec::with_capacity(LAYERS);
@@ -183,7 +183,7 @@ impl Perceptual {
         }
     }
 
-    fn assert_fits(&self, image: &Planes, target: &Features) {
+    fn assert_fits(&self, image: &Planes, target: &TargetFeatures) {
         assert_eq!(
             self.network, target.network,
             "another network saw the target"
@@ -193,7 +193,7 @@ impl Perceptual {
 
     /// Goes through the network and shows the features of each layer. `keep`: what was written is
     /// kept.
-    fn run(&self, image: &Planes, keep: bool, show: &mut dyn FnMut(usize, &Maps)) -> Trace {
+    fn run(&self, image: &Planes, keep: bool, show: &mut dyn FnMut(usize, &Maps)) -> ForwardTrace {
         let smallest = self.network.smallest_side() as usize;
         assert!(
             image.size.iter().all(|&side| side >= smallest),
@@ -217,30 +217,33 @@ impl Perceptual {
                 *number = (2.0 * *number - 1.0 - shift) / scale;
             }
         }
-        let mut trace = Trace {
+        let mut trace = ForwardTrace {
             written: Vec::new(),
         };
         let mut convolutions = self.weights.convolutions.iter();
         for (layer, steps) in self.network.layers().iter().enumerate() {
             for (at, step) in steps.iter().enumerate() {
                 let next = match step {
-                    Step::Convolve(_) => {
-                        let rectify = steps.get(at + 1) == Some(&Step::Rectify);
+                    NetworkStep::Convolve(_) => {
+                        let rectify = steps.get(at + 1) == Some(&NetworkStep::Rectify);
                         let convolution = convolutions.next();
                         convolution.map(|convolution| convolution.forward(&maps, rectify))
                     }
-                    Step::Rectify => {
+                    NetworkStep::Rectify => {
                         // A convolution has done it already, where it came before.
-                        if !matches!(steps.get(at.wrapping_sub(1)), Some(Step::Convolve(_))) {
+                        if !matches!(
+                            steps.get(at.wrapping_sub(1)),
+                            Some(NetworkStep::Convolve(_))
+                        ) {
                             maps.data
                                 .par_iter_mut()
                                 .for_each(|number| *number = number.max(0.0));
                         }
                         None
                     }
-                    Step::Pool(window) => Some(pool::forward(&maps, *window)),
-                    Step::Thin(step) => Some(thin::forward(&maps, *step)),
-                    Step::Blur => Some(blur::forward(&maps)),
+                    NetworkStep::Pool(window) => Some(pool::forward(&maps, *window)),
+                    NetworkStep::Thin(step) => Some(thin::forward(&maps, *step)),
+                    NetworkStep::Blur => Some(blur::forward(&maps)),
                 };
                 if let Some(next) = next {
                     let read = std::mem::replace(&mut maps, next);
@@ -259,7 +262,7 @@ impl Perceptual {
 
     /// The gradient with respect to what the network takes, from those with respect to the features
     /// of each layer.
-    fn backward(&self, trace: &Trace, mut gradients: Vec<Maps>) -> Maps {
+    fn backward(&self, trace: &ForwardTrace, mut gradients: Vec<Maps>) -> Maps {
         let mut written = trace.written.iter().rev();
         let mut convolutions = self.weights.convolutions.iter().rev();
         let mut gradient: Option<Maps> = None;
@@ -279,7 +282,7 @@ impl Perceptual {
                 let (Some(mut current), Some(maps)) = (gradient.take(), output) else {
                     unreachable!("a step without what it wrote");
                 };
-                if *step == Step::Rectify {
+                if *step == NetworkStep::Rectify {
                     let numbers = current.data.par_iter_mut().zip(&maps.data);
                     numbers.for_each(|(gradient, &number)| {
                         *gradient = if number > 0.0 { *gradient } else { 0.0 };
@@ -291,13 +294,15 @@ impl Perceptual {
                     unreachable!("a step without what it read");
                 };
                 gradient = match step {
-                    Step::Convolve(_) => convolutions
+                    NetworkStep::Convolve(_) => convolutions
                         .next()
                         .map(|convolution| convolution.backward(&current, input.size)),
-                    Step::Pool(window) => Some(pool::backward(&current, input, maps, *window)),
-                    Step::Thin(step) => Some(thin::backward(&current, input.size, *step)),
-                    Step::Blur => Some(blur::backward(&current, input.size)),
-                    Step::Rectify => None,
+                    NetworkStep::Pool(window) => {
+                        Some(pool::backward(&current, input, maps, *window))
+                    }
+                    NetworkStep::Thin(step) => Some(thin::backward(&current, input.size, *step)),
+                    NetworkStep::Blur => Some(blur::backward(&current, input.size)),
+                    NetworkStep::Rectify => None,
                 };
                 output = Some(input);
             }
@@ -321,12 +326,12 @@ mod tests {
 
     /// What tests/data/perceptual/make.py found.
     #[derive(Deserialize)]
-    struct Found {
-        rows: Vec<Row>,
+    struct RecordedRows {
+        rows: Vec<RecordedRow>,
     }
 
     #[derive(Deserialize)]
-    struct Row {
+    struct RecordedRow {
         network: String,
         weights: String,
         size: [usize; 2],
@@ -352,7 +357,8 @@ mod tests {
     #[test]
     fn values_and_slopes_are_those_of_another_program() {
         let text = include_str!("../../tests/data/perceptual/values.json");
-        let found: Found = serde_json::from_str(text).expect("values.json is what make.py writes");
+        let found: RecordedRows =
+            serde_json::from_str(text).expect("values.json is what make.py writes");
         for network in ALL {
             let perceptual = Perceptual::random(network, 5);
             let rows = found

@@ -4,7 +4,7 @@
 use crate::{
     convolution::Convolution,
     head::{SCALE, SHIFT},
-    network::{Network, Step},
+    network::{Network, NetworkStep},
     planes::Planes,
     weights::Weights,
 };
@@ -101,11 +101,11 @@ fn layers(
     for steps in network.layers() {
         for step in *steps {
             maps = match step {
-                Step::Convolve(_) => match convolutions.next() {
+                NetworkStep::Convolve(_) => match convolutions.next() {
                     Some(convolution) => convolved(convolution, &maps),
                     None => unreachable!("weights for every convolution"),
                 },
-                Step::Rectify => {
+                NetworkStep::Rectify => {
                     for i in 0..maps.value.len() {
                         if maps.value[i] <= 0.0 {
                             maps.value[i] = 0.0;
@@ -114,9 +114,9 @@ fn layers(
                     }
                     maps
                 }
-                Step::Pool(window) => pooled(&maps, *window),
-                Step::Thin(step) => thinned(&maps, *step),
-                Step::Blur => blurred(&maps),
+                NetworkStep::Pool(window) => pooled(&maps, *window),
+                NetworkStep::Thin(step) => thinned(&maps, *step),
+                NetworkStep::Blur => blurred(&maps),
             };
         }
         found.push(maps.clone());
@@ -126,7 +126,9 @@ fn layers(
 
 fn convolved(convolution: &Convolution, maps: &Dual) -> Dual {
     let shape = convolution.shape;
-    let size = maps.size.map(|side| Step::Convolve(shape).side(side));
+    let size = maps
+        .size
+        .map(|side| NetworkStep::Convolve(shape).side(side));
     let mut output = Dual::zeros(shape.to, size);
     let mut weights = convolution.weight.iter();
     for to in 0..shape.to {

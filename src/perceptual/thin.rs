@@ -1,12 +1,12 @@
 //! Every so many rows and columns of feature maps, from the first, and the gradient: a stride after
 //! a step without one.
 
-use crate::{maps::Maps, network::Step};
+use crate::{maps::Maps, network::NetworkStep};
 
 /// What is kept. `step`: from a row or column that is kept to the next.
 pub fn forward(input: &Maps, step: usize) -> Maps {
     let width = input.size[0];
-    let size = input.size.map(|side| Step::Thin(step).side(side));
+    let size = input.size.map(|side| NetworkStep::Thin(step).side(side));
     input.mapped(size, |output, input| {
         let rows = input.chunks_exact(width).step_by(step);
         for (output, row) in output.chunks_exact_mut(size[0]).zip(rows) {

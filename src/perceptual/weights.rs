@@ -4,7 +4,7 @@
 use crate::{
     convolution::Convolution,
     error::PerceptualError,
-    network::{LAYERS, Network, Parts, WeightFile},
+    network::{LAYERS, Network, WeightFile, WeightParts},
 };
 use effigy_core::{
     io::file::{FileError, FormatError},
@@ -77,7 +77,7 @@ fn take(
     };
     // The shift and scale of colours are the same in all versions: they are constants here.
     let colors = [("shift", crate::head::SHIFT), ("scale", crate::head::SCALE)];
-    for (name, expected) in colors.iter().filter(|_| file.parts == Parts::All) {
+    for (name, expected) in colors.iter().filter(|_| file.parts == WeightParts::All) {
         let name = format!("scaling_layer.{name}");
         let found = reader.numbers(&name, &[1, 3, 1, 1])?;
         if found
@@ -88,7 +88,7 @@ fn take(
             return Err(tensor(&name, format!("{found:?}"), format!("{expected:?}")));
         }
     }
-    if file.parts != Parts::Heads {
+    if file.parts != WeightParts::Heads {
         for shape in network.convolutions() {
             let sides = [shape.to, shape.from, shape.window, shape.window];
             let weight = reader.numbers(&format!("{}.weight", shape.name), &sides)?;
@@ -97,7 +97,7 @@ fn take(
             weights.convolutions.push(convolution);
         }
     }
-    if file.parts != Parts::Trunk {
+    if file.parts != WeightParts::Trunk {
         let widths = network.widths();
         for (layer, head) in weights.heads.iter_mut().enumerate() {
             let name = format!("lin{layer}.model.1.weight");

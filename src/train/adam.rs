@@ -1,4 +1,4 @@
-//! How far a step goes.
+//! Adam's rates and moments.
 
 use serde::{Deserialize, Serialize};
 

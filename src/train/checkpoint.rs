@@ -5,7 +5,7 @@ use crate::exposure::Exposure;
 use crate::gpu::TrainerState;
 use crate::parameters::Parameters;
 use crate::refine::{Items, Refinement};
-use crate::topology::Rows;
+use crate::topology::CorrectiveRows;
 use bytemuck::Pod;
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::random::hash;
@@ -24,11 +24,11 @@ const META: &str = "effigy";
 
 /// The state of a training.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Checkpoint {
+pub struct TrainingCheckpoint {
     /// What is learned, and how.
     pub state: TrainerState,
     /// Which Gaussians have correctives.
-    pub rows: Rows,
+    pub rows: CorrectiveRows,
     /// Whether rows were pruned.
     pub pruned: bool,
     /// Views used so far: the position in the data.
@@ -77,7 +77,7 @@ const ROWS: [&str; 3] = ["rows.rotation", "rows.scale", "rows.color"];
 const ITEMS: [&str; 3] = ["poses", "cameras", "bones"];
 const OF_ITEMS: [&str; 4] = ["values", "first_moments", "second_moments", "updates"];
 
-impl Checkpoint {
+impl TrainingCheckpoint {
     /// The file's name after so many steps.
     fn name(steps: u64) -> String {
         format!("checkpoint-{steps:09}.safetensors")
@@ -187,12 +187,12 @@ impl Checkpoint {
     ///
     /// # Errors
     /// When the folder can't be read.
-    pub fn last(folder: &Path) -> io::Result<Found> {
+    pub fn last(folder: &Path) -> io::Result<FolderCheckpoints> {
         let mut broken = Vec::new();
         for path in Self::files(folder)?.into_iter().rev() {
             match Self::read(&path) {
                 Ok(checkpoint) => {
-                    return Ok(Found {
+                    return Ok(FolderCheckpoints {
                         checkpoint: Some(checkpoint),
                         broken,
                     });
@@ -200,7 +200,7 @@ impl Checkpoint {
                 Err(error) => broken.push(Broken { path, error }),
             }
         }
-        Ok(Found {
+        Ok(FolderCheckpoints {
             checkpoint: None,
             broken,
         })
@@ -213,7 +213,7 @@ impl Checkpoint {
     pub fn read(path: &Path) -> Result<Self, String> {
         let bytes = fs::read(path).map_err(|error| error.to_string())?;
         let meta = Meta::read(&bytes)?;
-        let tensors = Tensors(SafeTensors::deserialize(&bytes).map_err(not_whole)?);
+        let tensors = CheckpointTensors(SafeTensors::deserialize(&bytes).map_err(not_whole)?);
         tensors.check(&meta)?;
         let [parameters, first_moments, second_moments] = [
             tensors.parameters(KINDS[0])?,
@@ -237,7 +237,7 @@ impl Checkpoint {
                 cameras: tensors.items(ITEMS[1])?,
                 bones: tensors.items(ITEMS[2])?,
             },
-            rows: Rows {
+            rows: CorrectiveRows {
                 gaussian: [
                     tensors.array(ROWS[0])?,
                     tensors.array(ROWS[1])?,
@@ -267,9 +267,9 @@ fn names() -> impl Iterator<Item = String> {
 }
 
 /// The tensors of a file.
-struct Tensors<'a>(SafeTensors<'a>);
+struct CheckpointTensors<'a>(SafeTensors<'a>);
 
-impl Tensors<'_> {
+impl CheckpointTensors<'_> {
     fn bytes(&self, name: &str) -> Result<&[u8], String> {
         let tensor = self.0.tensor(name).map_err(|error| error.to_string())?;
         Ok(tensor.data())
@@ -320,9 +320,9 @@ fn not_whole(error: SafeTensorError) -> String {
 }
 
 /// The checkpoints of a folder.
-pub struct Found {
+pub struct FolderCheckpoints {
     /// The last whole checkpoint.
-    pub checkpoint: Option<Checkpoint>,
+    pub checkpoint: Option<TrainingCheckpoint>,
     /// Later ones that are not whole.
     pub broken: Vec<Broken>,
 }
@@ -402,14 +402,14 @@ fn checksum<'a>(named: impl Iterator<Item = (&'a str, &'a [u8])>) -> String {
 mod tests {
     use super::*;
 
-    fn checkpoint(steps: u64) -> Checkpoint {
+    fn checkpoint(steps: u64) -> TrainingCheckpoint {
         let numbers = |scale: f32| Parameters {
             gaussians: (0..24).map(|k| scale * k as f32).collect(),
             nodes: vec![scale; 5],
             networks: vec![-scale; 7],
             bases: vec![],
         };
-        Checkpoint {
+        TrainingCheckpoint {
             state: TrainerState {
                 parameters: numbers(1.0),
                 first_moments: numbers(0.5),
@@ -417,7 +417,7 @@ mod tests {
                 steps,
                 corrective_steps: 3,
             },
-            rows: Rows {
+            rows: CorrectiveRows {
                 gaussian: [vec![0, 1], vec![], vec![1]],
             },
             pruned: true,
@@ -443,9 +443,9 @@ mod tests {
         for steps in [1, 20, 300] {
             checkpoint(steps).write(folder.path()).unwrap();
         }
-        let files = Checkpoint::files(folder.path()).unwrap();
+        let files = TrainingCheckpoint::files(folder.path()).unwrap();
         assert_eq!(files.len(), KEPT);
-        let found = Checkpoint::last(folder.path()).unwrap();
+        let found = TrainingCheckpoint::last(folder.path()).unwrap();
         assert_eq!(found.checkpoint, Some(checkpoint(300)));
         assert!(found.broken.is_empty());
     }
@@ -458,7 +458,7 @@ mod tests {
         let whole = fs::read(&last).unwrap();
         for length in (0..whole.len()).step_by(97) {
             fs::write(&last, &whole[..length]).unwrap();
-            let found = Checkpoint::last(folder.path()).unwrap();
+            let found = TrainingCheckpoint::last(folder.path()).unwrap();
             assert_eq!(found.checkpoint, Some(checkpoint(1)), "cut at {length}");
             assert_eq!(found.broken.len(), 1);
         }
@@ -466,11 +466,11 @@ mod tests {
         let at = whole.len() - 9;
         changed[at] ^= 1;
         fs::write(&last, &changed).unwrap();
-        let found = Checkpoint::last(folder.path()).unwrap();
+        let found = TrainingCheckpoint::last(folder.path()).unwrap();
         assert!(found.broken[0].error.contains("checksum"));
         found.broken[0].set_aside().unwrap();
         let kept = checkpoint(3).write(folder.path()).unwrap();
         assert!(kept.exists());
-        assert_eq!(Checkpoint::files(folder.path()).unwrap().len(), 2);
+        assert_eq!(TrainingCheckpoint::files(folder.path()).unwrap().len(), 2);
     }
 }

@@ -1,6 +1,6 @@
 //! The views of a training: which pictures, in which order, cut out how.
 
-use crate::view::{Picture, Shows, View};
+use crate::view::{Shows, TrainingView, ViewPicture};
 use effigy_capture::{Capture, CaptureError};
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::random::{Random, hash};
@@ -30,7 +30,7 @@ pub struct DataOptions {
 
 /// A picture of the capture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shot {
+pub struct ShotIndex {
     /// Index into the capture's cameras.
     pub camera: usize,
     /// Index into its frames.
@@ -38,13 +38,13 @@ pub struct Shot {
 }
 
 /// The pictures that are learned from: those of cameras and frames that are not held out.
-pub fn training_shots(capture: &Capture) -> Vec<Shot> {
+pub fn training_shots(capture: &Capture) -> Vec<ShotIndex> {
     shots(capture, |camera, frame| !camera && !frame)
 }
 
 /// [`training_shots`] without frames whose pose differs from the last one that stays by less than so
 /// much: the mean of what an avatar's networks see, radians.
-pub fn distinct_shots(capture: &Capture, avatar: &Avatar, least: f64) -> Vec<Shot> {
+pub fn distinct_shots(capture: &Capture, avatar: &Avatar, least: f64) -> Vec<ShotIndex> {
     let mut last: Option<Vec<f64>> = None;
     let stays: Vec<bool> = capture
         .frames
@@ -71,13 +71,13 @@ pub fn distinct_shots(capture: &Capture, avatar: &Avatar, least: f64) -> Vec<Sho
 }
 
 /// Pictures by whether their camera and their frame are held out.
-pub fn shots(capture: &Capture, takes: impl Fn(bool, bool) -> bool) -> Vec<Shot> {
+pub fn shots(capture: &Capture, takes: impl Fn(bool, bool) -> bool) -> Vec<ShotIndex> {
     let mut all = Vec::new();
     for frame in 0..capture.frames.len() {
         for camera in 0..capture.cameras.len() {
             let held = takes(capture.cameras[camera].held, capture.frames[frame].held);
             if held && capture.has(camera, frame) {
-                all.push(Shot { camera, frame });
+                all.push(ShotIndex { camera, frame });
             }
         }
     }
@@ -89,14 +89,14 @@ pub fn random_color(random: &mut Random) -> [u8; 3] {
     [(); 3].map(|()| (255.0 * random.uniform()).round() as u8)
 }
 
-/// What a frame's pose is to an avatar.
+/// A frame's pose, evaluated for an avatar.
 struct PosedFrame {
     joints: Vec<DAffine3>,
     input: Vec<f64>,
 }
 
 /// A decoded picture with what its pixels show.
-struct Decoded {
+struct DecodedPicture {
     size: [u32; 2],
     /// RGB and a [`Shows`].
     pixels: Vec<[u8; 4]>,
@@ -110,42 +110,42 @@ struct EdgePixel {
 }
 
 /// A view, and which picture it is of.
-pub struct Looked {
+pub struct LoadedView {
     /// The view.
-    pub view: View,
+    pub view: TrainingView,
     /// Its picture.
-    pub shot: Shot,
+    pub shot: ShotIndex,
 }
 
 /// Pictures that stay in memory.
-struct Cache {
+struct PictureCache {
     /// Which can't be read.
     broken: Vec<bool>,
-    pictures: Vec<Option<Arc<Decoded>>>,
+    pictures: Vec<Option<Arc<DecodedPicture>>>,
     bytes: usize,
 }
 
 /// The views of a capture. Which view comes when depends on the seed alone.
-pub struct Views {
+pub struct TrainingViews {
     capture: Arc<Capture>,
     options: DataOptions,
     seed: u64,
     /// In the capture's order.
-    shots: Vec<Shot>,
+    shots: Vec<ShotIndex>,
     /// Where the template is in each shot's picture, px.
     boxes: Vec<PixelRect>,
     frames: Vec<PosedFrame>,
     size: [u32; 2],
-    cache: Mutex<Cache>,
+    cache: Mutex<PictureCache>,
 }
 
-impl Views {
+impl TrainingViews {
     /// The views of some pictures. The template's box in each says what is cut out. `size`: of
     /// every view, px, at most that of every picture; None: what the largest box needs.
     pub fn new(
         capture: &Arc<Capture>,
         avatar: &Avatar,
-        shots: Vec<Shot>,
+        shots: Vec<ShotIndex>,
         options: &DataOptions,
         seed: u64,
         size: Option<[u32; 2]>,
@@ -189,7 +189,7 @@ impl Views {
             options: options.clone(),
             seed,
             size: size.unwrap_or_else(|| [side(0), side(1)]),
-            cache: Mutex::new(Cache {
+            cache: Mutex::new(PictureCache {
                 broken: vec![false; shots.len()],
                 pictures: (0..shots.len()).map(|_| None).collect(),
                 bytes: 0,
@@ -205,7 +205,7 @@ impl Views {
         self.size
     }
 
-    /// A name of what is learned from, which other pictures, cameras or frames change.
+    /// A name of the pictures, cameras and frames, which changes with any of them.
     pub fn name(&self) -> String {
         let mut sum = hash(u64::from(self.size[0]) << 32 | u64::from(self.size[1]));
         let mut add = |number: u64| sum = hash(sum ^ number);
@@ -221,7 +221,7 @@ impl Views {
     }
 
     /// The pictures.
-    pub fn shots(&self) -> &[Shot] {
+    pub fn shots(&self) -> &[ShotIndex] {
         &self.shots
     }
 
@@ -230,7 +230,7 @@ impl Views {
         self.shots.len()
     }
 
-    /// Whether there are none.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.shots.is_empty()
     }
@@ -248,7 +248,7 @@ impl Views {
     ///
     /// # Errors
     /// When no picture can be read any more.
-    pub fn at(&self, place: u64) -> Result<Looked, CaptureError> {
+    pub fn at(&self, place: u64) -> Result<LoadedView, CaptureError> {
         let mut random = Random::new(self.seed, place);
         let background = random_color(&mut random);
         let share = DVec2::new(random.uniform(), random.uniform());
@@ -260,7 +260,7 @@ impl Views {
     ///
     /// # Errors
     /// When no picture can be read any more.
-    pub fn steady(&self, shot: usize, background: [u8; 3]) -> Result<Looked, CaptureError> {
+    pub fn steady(&self, shot: usize, background: [u8; 3]) -> Result<LoadedView, CaptureError> {
         self.readable(shot, background, DVec2::splat(0.5))
     }
 
@@ -270,12 +270,12 @@ impl Views {
         first: usize,
         background: [u8; 3],
         share: DVec2,
-    ) -> Result<Looked, CaptureError> {
+    ) -> Result<LoadedView, CaptureError> {
         let mut fault = None;
         for shot in (first..self.shots.len()).chain(0..first) {
             match self.view(shot, background, share) {
                 Ok(view) => {
-                    return Ok(Looked {
+                    return Ok(LoadedView {
                         view,
                         shot: self.shots[shot],
                     });
@@ -296,7 +296,12 @@ impl Views {
         }))
     }
 
-    fn view(&self, at: usize, background: [u8; 3], share: DVec2) -> Result<View, CaptureError> {
+    fn view(
+        &self,
+        at: usize,
+        background: [u8; 3],
+        share: DVec2,
+    ) -> Result<TrainingView, CaptureError> {
         let shot = self.shots[at];
         let picture = self.decoded(at)?;
         let size = UVec2::from(self.size);
@@ -313,7 +318,7 @@ impl Views {
             max: corner + size,
         };
         let frame = &self.frames[shot.frame];
-        Ok(View {
+        Ok(TrainingView {
             joints: frame.joints.clone(),
             input: frame.input.clone(),
             camera: self.capture.cameras[shot.camera].camera.cropped(rect),
@@ -323,17 +328,17 @@ impl Views {
         })
     }
 
-    fn cache(&self) -> MutexGuard<'_, Cache> {
+    fn cache(&self) -> MutexGuard<'_, PictureCache> {
         self.cache.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn decoded(&self, at: usize) -> Result<Arc<Decoded>, CaptureError> {
+    fn decoded(&self, at: usize) -> Result<Arc<DecodedPicture>, CaptureError> {
         if let Some(known) = &self.cache().pictures[at] {
             return Ok(known.clone());
         }
         let shot = self.shots[at];
         let picture = self.capture.picture(shot.camera, shot.frame)?;
-        let new = Arc::new(Decoded::new(&picture, self.options.band));
+        let new = Arc::new(DecodedPicture::new(&picture, self.options.band));
         let mut cache = self.cache();
         let bytes = size_of_val(&new.pixels[..]) + size_of_val(&new.edges[..]);
         if cache.pictures[at].is_none() && cache.bytes + bytes <= self.options.cache_mb << 20 {
@@ -352,8 +357,8 @@ fn template_points(capture: &Capture, pose: &Pose) -> Vec<DVec3> {
     all.into_iter().step_by(step).collect()
 }
 
-/// The box around points in an image, larger by a margin on each side; the whole image where there
-/// is none.
+/// The box around points in an image, larger by a margin on each side; the whole image without
+/// any.
 fn box_of(points: &[DVec3], camera: &Camera, margin: f64) -> PixelRect {
     let size = DVec2::from(camera.size.map(f64::from));
     let mut low = DVec2::INFINITY;
@@ -400,7 +405,7 @@ fn shuffled(number: u64, count: u64, seed: u64) -> u64 {
     }
 }
 
-impl Decoded {
+impl DecodedPicture {
     /// A picture with a band around the mask's edge. Where nothing is known of what is behind the
     /// person, nothing is known of the band.
     fn new(picture: &effigy_capture::Picture, band: u32) -> Self {
@@ -437,7 +442,7 @@ impl Decoded {
     }
 
     /// A part of it, with a colour in place of the background. `rect`: inside the picture.
-    fn cut(&self, rect: PixelRect, background: [u8; 3]) -> Picture {
+    fn cut(&self, rect: PixelRect, background: [u8; 3]) -> ViewPicture {
         let [r, g, b] = background;
         let whole = self.size[0];
         let size = rect.max - rect.min;
@@ -462,7 +467,7 @@ impl Decoded {
                 behind[(at.y * size.x + at.x) as usize] = [r, g, b, 0];
             }
         }
-        Picture {
+        ViewPicture {
             size: size.into(),
             pixels,
             behind,
@@ -503,7 +508,7 @@ mod tests {
             max: UVec2::new(7, 1),
         };
         let shown = |band: u32| {
-            let cut = Decoded::new(&row(), band).cut(rect, [1, 2, 3]);
+            let cut = DecodedPicture::new(&row(), band).cut(rect, [1, 2, 3]);
             let shows: Vec<Shows> = (0..6).map(|at| cut.shows(at)).collect();
             (cut, shows)
         };

@@ -9,17 +9,17 @@
 //! |---|---|
 //! | [`topology`] | what training leaves as it is |
 //! | [`parameters`] | what is learned |
-//! | [`view`] | what a step looks at |
-//! | [`loss`] | what it makes small |
-//! | [`adam`] | how far a step goes |
+//! | [`view`] | a step's view: pose, camera, picture |
+//! | [`loss`] | the losses' weights |
+//! | [`adam`] | Adam's rates and moments |
 //! | [`exposure`], [`refine`] | gains of cameras; their motion, and poses |
-//! | [`perceptual`] | the loss that sees pictures as people do |
+//! | [`perceptual`] | the perceptual loss |
 //! | [`recipe`] | every weight, rate and count |
 //! | [`data`] | which pictures, in which order |
 //! | [`start`] | the avatar that a training begins with |
 //! | [`prune`] | which basis rows stay |
 //! | [`checkpoint`], [`lock`], [`mod@log`], [`watch`] | a training's folder |
-//! | [`preflight`] | what is looked at before a long training |
+//! | [`preflight`] | checks before a long training |
 //! | [`session`], [`error`] | a training from start to end |
 //! | [`refit`] | poses that fit an avatar as it is |
 //! | [`mod@reference`] | the loss and its derivative in f64 |

@@ -11,10 +11,10 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 /// From one sign of life to the next.
 const BEAT: Duration = Duration::from_secs(5);
-/// Who has given none for so long is gone.
+/// A process without a heartbeat for this long is considered dead.
 const GONE: Duration = Duration::from_secs(30);
 
-/// Who works in a folder.
+/// The process that trains in a folder.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Worker {
     /// The process.
@@ -27,15 +27,15 @@ pub struct Worker {
     pub heartbeat: u64,
 }
 
-/// Why a folder can't be had.
+/// Why a folder can't be locked.
 #[derive(Debug, thiserror::Error)]
 pub enum LockError {
-    /// Somebody works there.
+    /// Another process trains there.
     #[error("{folder}: process {} on {} is training there (attempt {}, alive {seconds} s ago)", worker.pid, worker.host, worker.attempt)]
     Taken {
         /// The folder.
         folder: String,
-        /// Who.
+        /// The other process.
         worker: Worker,
         /// Since its last sign of life.
         seconds: u64,
@@ -129,7 +129,7 @@ impl Lock {
         })
     }
 
-    /// The lock's file: who ends the program without dropping the lock empties it.
+    /// The lock's file: to be emptied where the program ends without dropping the lock.
     ///
     /// # Errors
     /// When the process has no room for another file.
@@ -144,7 +144,8 @@ impl Drop for Lock {
         if let Some(heart) = self.heart.take() {
             heart.join().ok();
         }
-        // Emptied, not removed: who has it open already would lock what is no lock any more.
+        // Emptied, not removed: another process may have it open already, and would lock a file
+        // that is no longer the lock.
         self.held.set_len(0).ok();
     }
 }

@@ -1,6 +1,6 @@
 //! The log of a training: a line for every so many steps.
 
-use crate::gpu::StepReport;
+use crate::gpu::StepLosses;
 use effigy_core::io::file::{FileError, replace};
 use std::fs;
 use std::io;
@@ -9,9 +9,9 @@ use std::path::Path;
 /// Steps' losses.
 pub const LOG: &str = "log.csv";
 
-/// How far a training is.
+/// The progress of a training.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress {
+pub struct TrainingProgress {
     /// Steps so far.
     pub steps: u64,
     /// How much of the training is over, 0 to 1.
@@ -32,7 +32,7 @@ pub struct Progress {
 
 /// Sums over the steps since the last report.
 #[derive(Default)]
-pub struct Sums {
+pub struct ProgressSums {
     steps: u64,
     l1: f64,
     squared: f64,
@@ -41,20 +41,20 @@ pub struct Sums {
     pub perceptual: Option<f64>,
 }
 
-impl Sums {
+impl ProgressSums {
     /// Adds a step.
-    pub fn add(&mut self, found: &StepReport) {
+    pub fn add(&mut self, found: &StepLosses) {
         self.steps += 1;
         self.l1 += found.l1;
         self.squared += found.squared;
         self.pairs = self.pairs.max(found.pairs);
     }
 
-    /// What they say of steps up to now, and empties them.
-    pub fn take(&mut self, now: Now) -> Progress {
+    /// The progress over the steps so far; resets the sums.
+    pub fn take(&mut self, now: TrainingTime) -> TrainingProgress {
         let own = std::mem::take(self);
         let count = own.steps.max(1) as f64;
-        Progress {
+        TrainingProgress {
             steps: now.steps,
             share: now.share,
             seconds: now.seconds,
@@ -67,9 +67,9 @@ impl Sums {
     }
 }
 
-/// Where a training is.
+/// How far a training is.
 #[derive(Clone, Copy, Debug)]
-pub struct Now {
+pub struct TrainingTime {
     /// Steps so far.
     pub steps: u64,
     /// How much of it is over, 0 to 1.
@@ -84,12 +84,12 @@ pub struct Now {
 ///
 /// # Errors
 /// When it can't be written.
-pub fn add(folder: &Path, progress: &Progress) -> Result<(), FileError> {
+pub fn add(folder: &Path, progress: &TrainingProgress) -> Result<(), FileError> {
     let file = folder.join(LOG);
     append(&file, progress).map_err(|cause| FileError::Write { file, cause })
 }
 
-fn append(file: &Path, progress: &Progress) -> io::Result<()> {
+fn append(file: &Path, progress: &TrainingProgress) -> io::Result<()> {
     let mut text = String::new();
     if !file.exists() {
         text += "step,seconds,share,pruned,l1,psnr_db,perceptual,pairs\n";

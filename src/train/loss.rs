@@ -1,4 +1,4 @@
-//! What a step makes small.
+//! Weights of the losses.
 
 use serde::{Deserialize, Serialize};
 

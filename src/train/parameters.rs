@@ -1,7 +1,7 @@
 //! What is learned, as flat arrays in the order that kernels read them, and the way from and to an
 //! avatar.
 
-use crate::topology::{Rows, Topology};
+use crate::topology::{CorrectiveRows, Topology};
 use effigy_core::avatar::{Avatar, Matrix, Rows as AvatarRows};
 use effigy_core::layout::TRAIN_BASIS;
 use half::f16;
@@ -19,7 +19,7 @@ pub const COMPONENTS: [usize; 3] = [4, 3, 3];
 pub struct Parameters<T> {
     /// Shape N_g, [`GAUSSIAN`].
     pub gaussians: Vec<T>,
-    /// Offsets of nodes, shape N_s, 3, metres; from [`Layout::node_bases`] on their bases, shape
+    /// Offsets of nodes, shape N_s, 3, metres; from [`ParameterLayout::node_bases`] on their bases, shape
     /// N_s, 3, N_B.
     pub nodes: Vec<T>,
     /// Of each layer the weights of all parts, shape N_G, input, output; then its biases, shape N_G,
@@ -44,7 +44,7 @@ pub struct LayerPlace {
 
 /// Where everything lies in [`Parameters`].
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Layout {
+pub struct ParameterLayout {
     /// N_g.
     pub gaussians: usize,
     /// N_s.
@@ -60,9 +60,9 @@ pub struct Layout {
     pub bases: [usize; 4],
 }
 
-impl Layout {
+impl ParameterLayout {
     /// The layout for a topology with some basis rows.
-    pub fn new(topology: &Topology, rows: &Rows) -> Self {
+    pub fn new(topology: &Topology, rows: &CorrectiveRows) -> Self {
         let nodes = topology.nodes();
         let parts = topology.parts();
         let mut at = 0;
@@ -127,7 +127,7 @@ impl Layout {
 
 impl<T: Copy + Default> Parameters<T> {
     /// Zeros.
-    pub fn zeros(layout: &Layout) -> Self {
+    pub fn zeros(layout: &ParameterLayout) -> Self {
         let [gaussians, nodes, networks, bases] = layout.lengths();
         Self {
             gaussians: vec![T::default(); gaussians],
@@ -154,11 +154,11 @@ impl<T: Copy + Default> Parameters<T> {
 }
 
 impl Parameters<f32> {
-    /// What an avatar says, for [`Rows::of`] it.
+    /// What an avatar says, for [`CorrectiveRows::of`] it.
     ///
     /// # Panics
     /// Where `Avatar::check` finds a fault.
-    pub fn of(avatar: &Avatar, layout: &Layout) -> Self {
+    pub fn of(avatar: &Avatar, layout: &ParameterLayout) -> Self {
         let mut all = Self::zeros(layout);
         let neutral = &avatar.gaussians;
         for (k, numbers) in all.gaussians.chunks_exact_mut(GAUSSIAN).enumerate() {
@@ -207,7 +207,7 @@ impl Parameters<f32> {
     }
 
     /// Puts what was learned into the avatar that the topology is of, rounded to what files hold.
-    pub fn put_into(&self, avatar: &mut Avatar, layout: &Layout, rows: &Rows) {
+    pub fn put_into(&self, avatar: &mut Avatar, layout: &ParameterLayout, rows: &CorrectiveRows) {
         let half = |v: f32| f16::from_f32(v.clamp(-65504.0, 65504.0));
         let neutral = &mut avatar.gaussians;
         for (k, numbers) in self.gaussians.chunks_exact(GAUSSIAN).enumerate() {

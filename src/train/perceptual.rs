@@ -1,20 +1,20 @@
-//! The loss that sees pictures as people do, on a part of a view, with its derivative.
+//! The perceptual loss of a part of a view, with its derivative.
 
 use crate::recipe::{PerceptualKind, PerceptualOptions};
-use crate::view::{Shows, View};
+use crate::view::{Shows, TrainingView};
 use effigy_core::random::Random;
 use effigy_perceptual::{Graded, Network, Perceptual, PerceptualError, Planes, dssim_and_gradient};
 use std::path::Path;
 
-/// A loss that sees pictures as people do.
-pub struct AskedLoss {
+/// The perceptual loss of views.
+pub struct PerceptualLoss {
     network: Option<Perceptual>,
     options: PerceptualOptions,
     seed: u64,
 }
 
-/// What it says of a view.
-pub struct Asked {
+/// The perceptual loss of a view.
+pub struct PerceptualTerm {
     /// Its value, before the weight.
     pub value: f64,
     /// Derivative of the weighted loss with respect to each pixel of the view, RGB.
@@ -22,12 +22,12 @@ pub struct Asked {
 }
 
 /// A part of a view: its first column and row, and its sides, px.
-struct Window {
+struct ImageWindow {
     first: [usize; 2],
     size: [usize; 2],
 }
 
-impl AskedLoss {
+impl PerceptualLoss {
     /// The loss that the options name, or None where they name none. `weights`: the folder that
     /// `tools/fetch_perceptual.sh` fills, and in which the user puts torchvision's file for LPIPS.
     ///
@@ -64,7 +64,12 @@ impl AskedLoss {
     /// Compares a part of an image with the same part of a view's picture. `image`: RGB of every
     /// pixel over the view's background; `place`: of the view in the training, which decides the
     /// part. None where the view shows nobody.
-    pub fn ask(&self, view: &View, place: u64, image: &[[f32; 3]]) -> Option<Asked> {
+    pub fn compare(
+        &self,
+        view: &TrainingView,
+        place: u64,
+        image: &[[f32; 3]],
+    ) -> Option<PerceptualTerm> {
         let window = self.window(view, place)?;
         let width = view.picture.size[0] as usize;
         let at = |x: usize, y: usize| (window.first[1] + y) * width + window.first[0] + x;
@@ -105,14 +110,14 @@ impl AskedLoss {
                 }
             }
         }
-        Some(Asked {
+        Some(PerceptualTerm {
             value,
             gradient: of_image,
         })
     }
 
     /// A part around a pixel of the person, as near to it as the view allows.
-    fn window(&self, view: &View, place: u64) -> Option<Window> {
+    fn window(&self, view: &TrainingView, place: u64) -> Option<ImageWindow> {
         let people: Vec<usize> = (0..view.picture.pixels.len())
             .filter(|&pixel| view.picture.shows(pixel) == Shows::Person)
             .collect();
@@ -125,14 +130,14 @@ impl AskedLoss {
             let low = middle[axis].saturating_sub(size[axis] / 2);
             low.min(sides[axis] - size[axis])
         });
-        Some(Window { first, size })
+        Some(ImageWindow { first, size })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::Picture;
+    use crate::view::ViewPicture;
     use effigy_core::scene::Camera;
     use glam::DVec3;
     use std::sync::Arc;
@@ -149,14 +154,16 @@ mod tests {
             window: 32,
             from_share: 0.0,
         };
-        let asked = AskedLoss::new(&options, Path::new(""), 1).unwrap().unwrap();
-        let mut view = View {
+        let perceptual = PerceptualLoss::new(&options, Path::new(""), 1)
+            .unwrap()
+            .unwrap();
+        let mut view = TrainingView {
             joints: vec![],
             input: vec![],
             camera: Camera::look_at(DVec3::Z, DVec3::ZERO, 0.5, size),
             gain: DVec3::ONE,
             whole: count,
-            picture: Arc::new(Picture {
+            picture: Arc::new(ViewPicture {
                 size,
                 pixels: (0..count)
                     .map(|at| {
@@ -170,7 +177,7 @@ mod tests {
         let image: Vec<[f32; 3]> = (0..count)
             .map(|_| [random.uniform() as f32, 0.4, random.uniform() as f32])
             .collect();
-        let found = asked.ask(&view, 7, &image).unwrap();
+        let found = perceptual.compare(&view, 7, &image).unwrap();
         assert!(found.gradient.iter().flatten().all(|v| v.is_finite()));
         let direction: Vec<[f32; 3]> = (0..count)
             .map(|at| {
@@ -184,7 +191,7 @@ mod tests {
                 .zip(&direction)
                 .map(|(v, d)| std::array::from_fn(|c| v[c] + h * d[c]))
                 .collect();
-            asked.ask(&view, 7, &moved).unwrap().value
+            perceptual.compare(&view, 7, &moved).unwrap().value
         };
         let expected = 0.1 * 4.0 * (along(2e-3) - along(-2e-3)) / 4e-3;
         let slope: f64 = found
@@ -197,11 +204,11 @@ mod tests {
             (slope - expected).abs() < 0.02 * expected.abs(),
             "{slope}, expected {expected}"
         );
-        view.picture = Arc::new(Picture {
+        view.picture = Arc::new(ViewPicture {
             size,
             pixels: vec![[0; 4]; count as usize],
             behind: vec![[0; 4]; count as usize],
         });
-        assert!(asked.ask(&view, 7, &image).is_none());
+        assert!(perceptual.compare(&view, 7, &image).is_none());
     }
 }

@@ -1,17 +1,17 @@
-//! What is looked at before a long training: that every input moves some pixel and some derivative.
+//! Checks before a long training that every input moves some pixel and some derivative.
 //!
-//! The trainer itself is asked, about views of the training, with an avatar in which every path is
+//! The trainer itself takes steps on views of the training, with an avatar in which every path is
 //! alive: a quarter opaque, coloured at random, with bases that are not small. Nothing of it is
-//! kept, and no random number of the training is used up.
+//! kept, and the training's random numbers stay unused.
 
 use crate::adam::Adam;
-use crate::data::Views;
+use crate::data::TrainingViews;
 use crate::gpu::{StepOptions, Trainer, TrainerState};
-use crate::parameters::{GAUSSIAN, Layout, Parameters, logit};
-use crate::perceptual::AskedLoss;
+use crate::parameters::{GAUSSIAN, ParameterLayout, Parameters, logit};
+use crate::perceptual::PerceptualLoss;
 use crate::recipe::Recipe;
-use crate::topology::{Rows, Topology};
-use crate::view::View;
+use crate::topology::{CorrectiveRows, Topology};
+use crate::view::TrainingView;
 use effigy::vulkan::{Error as GpuError, Gpu};
 use effigy_capture::{Capture, CaptureError, Template};
 use effigy_core::avatar::{Avatar, Pose};
@@ -33,8 +33,8 @@ const VIEWS: u64 = 4;
 const MOST_VIEWS: u64 = 24;
 /// Views that show what an input moves, without a pixel that it moves: so many prove a fault.
 const TRIES: usize = 3;
-/// Equal numbers give equal bits, so that any difference is one; less than this is no use.
-const SEEN: f32 = 1e-6;
+/// Runs are bit-reproducible. Differences below this are ignored.
+const MIN_DIFFERENCE: f32 = 1e-6;
 
 /// What a check may take after its first derivative: on a CPU driver a view of the paper's sizes
 /// takes half a minute.
@@ -75,8 +75,8 @@ pub fn is_due(recipe: &Recipe, minutes: Option<f64>) -> bool {
     }
 }
 
-/// What a check is of.
-pub struct Subject<'a> {
+/// The inputs of a check.
+pub struct PreflightSubject<'a> {
     /// The device.
     pub gpu: &'a Arc<Gpu>,
     /// The capture.
@@ -88,23 +88,23 @@ pub struct Subject<'a> {
     /// What training leaves of it as it is.
     pub topology: &'a Topology,
     /// What is learned from.
-    pub views: &'a Views,
+    pub views: &'a TrainingViews,
     /// The loss that sees pictures as people do.
-    pub asked: Option<&'a AskedLoss>,
-    /// How long to look, after the first derivative. What was not looked at by then is a warning.
+    pub perceptual: Option<&'a PerceptualLoss>,
+    /// Time limit after the first derivative. Inputs not tested by then are a warning.
     pub patience: Duration,
 }
 
-/// What a check found, each a sentence.
+/// The findings of a check, each a sentence.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Findings {
-    /// Facts of the capture, from which less can be learned than one may think.
+    /// Facts of the capture that limit what can be learned from it.
     pub warnings: Vec<String>,
-    /// What should move something and does not: no use to train.
+    /// Inputs that should move something and do not: training would be useless.
     pub faults: Vec<String>,
 }
 
-/// Why there was no check.
+/// Why a check failed to run.
 #[derive(Debug, thiserror::Error)]
 pub enum PreflightError {
     /// The device.
@@ -119,15 +119,15 @@ pub enum PreflightError {
 ///
 /// # Errors
 /// When the device fails, or no picture can be read.
-pub fn check(subject: &Subject) -> Result<Findings, PreflightError> {
+pub fn check(subject: &PreflightSubject) -> Result<Findings, PreflightError> {
     let mut findings = Findings {
         warnings: of_capture(subject),
         faults: Vec::new(),
     };
-    let rows = Rows::all(subject.topology.gaussians.len());
-    let layout = Layout::new(subject.topology, &rows);
+    let rows = CorrectiveRows::all(subject.topology.gaussians.len());
+    let layout = ParameterLayout::new(subject.topology, &rows);
     let state = TrainerState::new(&layout, alive(subject, &layout));
-    let mut look = Look {
+    let mut look = PreflightRun {
         trainer: Trainer::new(
             subject.gpu,
             subject.topology,
@@ -140,14 +140,15 @@ pub fn check(subject: &Subject) -> Result<Findings, PreflightError> {
         kinds: Vec::new(),
         inputs: vec![0.0; subject.topology.widths[0]],
         gain: [0.0; 3],
-        asked: None,
+        perceptual: None,
         began: None,
         broke_off: false,
         layout,
         subject,
     };
     for place in 0..MOST_VIEWS {
-        let is_enough = look.trials.iter().all(Trial::is_over) && look.sees_all_inputs();
+        let is_enough =
+            look.trials.iter().all(PerturbationTrial::is_over) && look.sees_all_inputs();
         if place >= VIEWS && is_enough || look.broke_off {
             break;
         }
@@ -158,7 +159,7 @@ pub fn check(subject: &Subject) -> Result<Findings, PreflightError> {
 }
 
 /// The start's avatar with every path alive. Its networks are random as they are.
-fn alive(subject: &Subject, layout: &Layout) -> Parameters<f32> {
+fn alive(subject: &PreflightSubject, layout: &ParameterLayout) -> Parameters<f32> {
     let mut all = Parameters::of(subject.start, layout);
     let mut random = Random::new(subject.recipe.seed, AVATAR_STREAM);
     for numbers in all.gaussians.chunks_exact_mut(GAUSSIAN) {
@@ -176,9 +177,9 @@ fn alive(subject: &Subject, layout: &Layout) -> Parameters<f32> {
     all
 }
 
-/// What is changed in a view.
+/// A change of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Change {
+enum Perturbation {
     /// A joint turns.
     Turn(usize),
     /// An input of the networks grows.
@@ -186,8 +187,8 @@ enum Change {
 }
 
 /// A change, and whether it moves a pixel.
-struct Trial {
-    change: Change,
+struct PerturbationTrial {
+    change: Perturbation,
     name: String,
     /// The Gaussians that it moves.
     moves: Vec<u32>,
@@ -196,16 +197,16 @@ struct Trial {
     moved: bool,
 }
 
-impl Trial {
+impl PerturbationTrial {
     fn is_over(&self) -> bool {
         self.moved || self.tries >= TRIES
     }
 }
 
 /// Every joint that Gaussians follow, and every input that reaches a network.
-fn trials(subject: &Subject) -> Vec<Trial> {
+fn trials(subject: &PreflightSubject) -> Vec<PerturbationTrial> {
     let topology = subject.topology;
-    let trial = |change, name, moves| Trial {
+    let trial = |change, name, moves| PerturbationTrial {
         change,
         name,
         moves,
@@ -220,7 +221,7 @@ fn trials(subject: &Subject) -> Vec<Trial> {
             let mut moves: Vec<u32> = moved.iter().map(|follower| follower.gaussian).collect();
             moves.dedup();
             let name = joint_name(&subject.capture.template, joint);
-            trial(Change::Turn(joint), format!("joint {name}"), moves)
+            trial(Perturbation::Turn(joint), format!("joint {name}"), moves)
         });
     let of_head = topology.part_start[topology.head_parts];
     let inputs = (0..topology.widths[0]).map(|input| {
@@ -230,7 +231,7 @@ fn trials(subject: &Subject) -> Vec<Trial> {
             of_head
         };
         let name = input_name(subject, input);
-        trial(Change::Input(input), name, (0..reached).collect())
+        trial(Perturbation::Input(input), name, (0..reached).collect())
     });
     let all = joints.chain(inputs);
     all.filter(|trial| !trial.moves.is_empty()).collect()
@@ -240,7 +241,7 @@ fn joint_name(template: &Template, joint: usize) -> String {
     format!("`{}`", template.skeleton.name[joint])
 }
 
-fn input_name(subject: &Subject, input: usize) -> String {
+fn input_name(subject: &PreflightSubject, input: usize) -> String {
     let inputs = &subject.start.inputs;
     match inputs.joint.get(input / 3) {
         Some(&joint) => format!(
@@ -252,29 +253,29 @@ fn input_name(subject: &Subject, input: usize) -> String {
     }
 }
 
-/// A check on its way.
-struct Look<'a> {
-    subject: &'a Subject<'a>,
-    layout: Layout,
+/// A check in progress.
+struct PreflightRun<'a> {
+    subject: &'a PreflightSubject<'a>,
+    layout: ParameterLayout,
     trainer: Trainer,
-    trials: Vec<Trial>,
-    /// Of every kind of number that is learned, the largest derivative; NaN where one is no number.
+    trials: Vec<PerturbationTrial>,
+    /// Of every kind of number that is learned, the largest derivative; NaN where one is not finite.
     kinds: Vec<(String, f64)>,
     /// Of the weights that each input has in the first layer, likewise.
     inputs: Vec<f64>,
     /// Of the cameras' gains, RGB, likewise.
     gain: [f64; 3],
-    /// What the perceptual loss says of an image, and of another.
-    asked: Option<Answer>,
+    /// The perceptual loss of an image, and of another.
+    perceptual: Option<PerceptualAnswer>,
     /// When the first derivative was there: kernels were compiled for it.
     began: Option<Instant>,
-    /// It took too long.
+    /// The time limit was exceeded.
     broke_off: bool,
 }
 
-/// What the perceptual loss says of an image.
+/// The perceptual loss of an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Answer {
+struct PerceptualAnswer {
     value: f64,
     /// Of another image.
     other: f64,
@@ -282,15 +283,15 @@ struct Answer {
     slope: f64,
 }
 
-impl Look<'_> {
-    /// Whether it has taken too long, after a view or an image of one.
+impl PreflightRun<'_> {
+    /// Whether the time limit is over, after a view or an image of one.
     fn is_late(&mut self) -> bool {
         let began = *self.began.get_or_insert_with(Instant::now);
         self.broke_off |= began.elapsed() >= self.subject.patience;
         self.broke_off
     }
 
-    /// Looks at the view that comes at a place of the training.
+    /// Tests the view at a place of the training.
     fn at(&mut self, place: u64) -> Result<(), PreflightError> {
         let looked = self.subject.views.at(place)?;
         let view = &looked.view;
@@ -314,15 +315,15 @@ impl Look<'_> {
             trial.moved = differs(&image, &other);
             trial.tries += usize::from(!trial.moved);
         }
-        if let (Some(asked), None) = (self.subject.asked, self.asked) {
-            self.asked = answer(asked, view, place, &image);
+        if let (Some(perceptual), None) = (self.subject.perceptual, self.perceptual) {
+            self.perceptual = answer(perceptual, view, place, &image);
         }
         Ok(())
     }
 
     /// Takes the derivative of a view's loss, away from 0 in all inputs: what is 0 gives weights no
     /// derivative.
-    fn derive(&mut self, view: &View, place: u64) -> Result<(), PreflightError> {
+    fn derive(&mut self, view: &TrainingView, place: u64) -> Result<(), PreflightError> {
         let mut random = Random::new(self.subject.recipe.seed ^ place, INPUT_STREAM);
         let mut nudged = view.clone();
         for input in &mut nudged.input {
@@ -347,16 +348,16 @@ impl Look<'_> {
         Ok(())
     }
 
-    fn image(&mut self, view: &View) -> Result<Vec<[f32; 3]>, GpuError> {
+    fn image(&mut self, view: &TrainingView) -> Result<Vec<[f32; 3]>, GpuError> {
         let mut images = self.trainer.images(std::slice::from_ref(view), &OPTIONS)?;
         Ok(images.swap_remove(0))
     }
 
     /// A view with a change. A joint that turns leaves the networks what they see.
-    fn changed(&self, view: &View, pose: &Pose, change: Change) -> View {
+    fn changed(&self, view: &TrainingView, pose: &Pose, change: Perturbation) -> TrainingView {
         let mut changed = view.clone();
         match change {
-            Change::Turn(joint) => {
+            Perturbation::Turn(joint) => {
                 let mut turned = pose.clone();
                 let joints = self.subject.topology.joints;
                 turned.rotation.resize(joints, DVec3::ZERO);
@@ -365,7 +366,7 @@ impl Look<'_> {
                 turned.rotation[joint] = (own * further).to_scaled_axis();
                 changed.joints = self.subject.start.skeleton.matrices(&turned);
             }
-            Change::Input(input) => changed.input[input] += NUDGE,
+            Perturbation::Input(input) => changed.input[input] += NUDGE,
         }
         changed
     }
@@ -378,12 +379,12 @@ impl Look<'_> {
 
     /// Whether an input's Gaussians were in a view.
     fn is_shown(&self, input: usize) -> bool {
-        let wanted = Change::Input(input);
+        let wanted = Perturbation::Input(input);
         let mut trials = self.trials.iter();
         trials.any(|trial| trial.change == wanted && (trial.moved || trial.tries > 0))
     }
 
-    /// Turns what was seen into sentences.
+    /// Turns the results into sentences.
     fn judge(self, findings: &mut Findings) {
         let unseen: Vec<&str> = self
             .trials
@@ -409,8 +410,8 @@ impl Look<'_> {
         }
         for trial in self.trials.iter().filter(|trial| !trial.moved) {
             let how = match trial.change {
-                Change::Turn(_) => format!("turned by {TURN}°"),
-                Change::Input(_) => format!("{NUDGE} larger"),
+                Perturbation::Turn(_) => format!("turned by {TURN}°"),
+                Perturbation::Input(_) => format!("{NUDGE} larger"),
             };
             // Few tries prove nothing.
             if trial.tries > 0 && (!broke_off || trial.is_over()) {
@@ -449,7 +450,7 @@ impl Look<'_> {
             }
         }
         findings.faults.extend(of_slopes(&slopes));
-        findings.faults.extend(self.asked.and_then(of_answer));
+        findings.faults.extend(self.perceptual.and_then(of_answer));
     }
 }
 
@@ -465,8 +466,8 @@ fn of_slopes(slopes: &[(String, f64)]) -> Vec<String> {
 }
 
 /// The fault of a perceptual loss.
-fn of_answer(answer: Answer) -> Option<String> {
-    let Answer {
+fn of_answer(answer: PerceptualAnswer) -> Option<String> {
+    let PerceptualAnswer {
         value,
         other,
         slope,
@@ -480,21 +481,26 @@ fn of_answer(answer: Answer) -> Option<String> {
     })
 }
 
-/// Asks the perceptual loss about an image, and about a darker one.
-fn answer(asked: &AskedLoss, view: &View, place: u64, image: &[[f32; 3]]) -> Option<Answer> {
-    let found = asked.ask(view, place, image)?;
+/// Evaluates the perceptual loss of an image, and of a darker one.
+fn answer(
+    perceptual: &PerceptualLoss,
+    view: &TrainingView,
+    place: u64,
+    image: &[[f32; 3]],
+) -> Option<PerceptualAnswer> {
+    let found = perceptual.compare(view, place, image)?;
     let darker: Vec<[f32; 3]> = image.iter().map(|pixel| pixel.map(|v| 0.8 * v)).collect();
-    Some(Answer {
+    Some(PerceptualAnswer {
         value: found.value,
-        other: asked.ask(view, place, &darker)?.value,
+        other: perceptual.compare(view, place, &darker)?.value,
         slope: peak(found.gradient.as_flattened()),
     })
 }
 
 /// Which Gaussians a view shows, whatever is before them.
-fn shown(topology: &Topology, view: &View) -> Vec<bool> {
+fn shown(topology: &Topology, view: &TrainingView) -> Vec<bool> {
     let size = DVec2::from(view.camera.size.map(f64::from));
-    let is_shown = |placed: &crate::topology::Placed| {
+    let is_shown = |placed: &crate::topology::PlacedGaussian| {
         let moved = placed.joint.iter().zip(placed.joint_weight);
         let at: DVec3 = moved
             .map(|(&joint, weight)| {
@@ -512,11 +518,11 @@ fn shown(topology: &Topology, view: &View) -> Vec<bool> {
     topology.gaussians.par_iter().map(is_shown).collect()
 }
 
-/// Whether any channel of any pixel differs. What is no number is no difference.
+/// Whether any channel of any pixel differs. NaN does not count as a difference.
 fn differs(a: &[[f32; 3]], b: &[[f32; 3]]) -> bool {
     let pairs = a.as_flattened().iter().zip(b.as_flattened());
     let mut pairs = pairs.into_iter();
-    pairs.any(|(a, b)| (a - b).abs() > SEEN)
+    pairs.any(|(a, b)| (a - b).abs() > MIN_DIFFERENCE)
 }
 
 /// The larger of two sizes; NaN where one is.
@@ -528,14 +534,14 @@ fn larger(a: f64, b: f64) -> f64 {
     }
 }
 
-/// The largest size of some numbers; NaN where one is no number.
+/// The largest size of some numbers; NaN where one is not finite.
 fn peak<'a>(numbers: impl IntoIterator<Item = &'a f32>) -> f64 {
     let numbers = numbers.into_iter();
     numbers.fold(0.0, |most, &v| larger(most, f64::from(v)))
 }
 
 /// The largest derivative of each kind of number.
-fn kinds(slopes: &Parameters<f32>, layout: &Layout) -> Vec<(String, f64)> {
+fn kinds(slopes: &Parameters<f32>, layout: &ParameterLayout) -> Vec<(String, f64)> {
     let of_gaussians = |range: Range<usize>| {
         let all = slopes.gaussians.chunks_exact(GAUSSIAN);
         peak(all.flat_map(|numbers| &numbers[range.clone()]))
@@ -574,7 +580,7 @@ fn kinds(slopes: &Parameters<f32>, layout: &Layout) -> Vec<(String, f64)> {
 }
 
 /// The largest derivative of the first layer's weights of an input, of all parts.
-fn of_input(slopes: &Parameters<f32>, layout: &Layout, input: usize) -> f64 {
+fn of_input(slopes: &Parameters<f32>, layout: &ParameterLayout, input: usize) -> f64 {
     let Some(first) = layout.layers.first() else {
         return 0.0;
     };
@@ -583,8 +589,8 @@ fn of_input(slopes: &Parameters<f32>, layout: &Layout, input: usize) -> f64 {
     peak(own.flatten())
 }
 
-/// What a capture, or the avatar that is made for it, has that nothing can be learned from.
-fn of_capture(subject: &Subject) -> Vec<String> {
+/// Parts of a capture, or of the avatar made for it, that nothing can be learned from.
+fn of_capture(subject: &PreflightSubject) -> Vec<String> {
     let template = &subject.capture.template;
     let mut sentences = Vec::new();
     let mut say = |names: Vec<String>, what: &str| {
@@ -660,7 +666,7 @@ fn still(rows: &[Vec<f64>]) -> Vec<bool> {
 }
 
 /// Names of inputs that don't move: of joints as a whole, where all three numbers of one don't.
-fn still_inputs(subject: &Subject, still: &[bool]) -> Vec<String> {
+fn still_inputs(subject: &PreflightSubject, still: &[bool]) -> Vec<String> {
     let inputs = &subject.start.inputs;
     let split = 3 * inputs.joint.len();
     let mut names = Vec::new();
@@ -710,7 +716,7 @@ mod tests {
     }
 
     /// One Gaussian, one node, two parts with networks of 2, 3 and 2 numbers.
-    fn layout() -> Layout {
+    fn layout() -> ParameterLayout {
         use crate::parameters::LayerPlace;
         let layer = |input, output, weights, biases| LayerPlace {
             input,
@@ -718,7 +724,7 @@ mod tests {
             weights,
             biases,
         };
-        Layout {
+        ParameterLayout {
             gaussians: 1,
             nodes: 1,
             parts: 2,
@@ -769,26 +775,26 @@ mod tests {
 
     #[test]
     fn a_perceptual_loss_that_does_not_move_is_a_fault() {
-        let answer = Answer {
+        let answer = PerceptualAnswer {
             value: 0.2,
             other: 0.3,
             slope: 1e-3,
         };
         assert_eq!(of_answer(answer), None);
         for dead in [
-            Answer {
+            PerceptualAnswer {
                 other: 0.2,
                 ..answer
             },
-            Answer {
+            PerceptualAnswer {
                 slope: 0.0,
                 ..answer
             },
-            Answer {
+            PerceptualAnswer {
                 slope: f64::NAN,
                 ..answer
             },
-            Answer {
+            PerceptualAnswer {
                 value: f64::NAN,
                 ..answer
             },

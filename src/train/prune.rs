@@ -1,8 +1,8 @@
 //! Which basis rows stay: those whose correctives vary most over the training's poses, or change its
 //! pictures most.
 
-use crate::parameters::{BASIS, COMPONENTS, Layout, Parameters};
-use crate::topology::{Rows, Topology};
+use crate::parameters::{BASIS, COMPONENTS, ParameterLayout, Parameters};
+use crate::topology::{CorrectiveRows, Topology};
 use rayon::prelude::*;
 
 /// How the features of each part vary over poses: the covariance of the attributes' half; shape
@@ -79,9 +79,9 @@ pub struct Pruning<'a> {
     /// What stays as it is.
     pub topology: &'a Topology,
     /// Where numbers lie.
-    pub layout: &'a Layout,
+    pub layout: &'a ParameterLayout,
     /// The rows that there are.
-    pub rows: &'a Rows,
+    pub rows: &'a CorrectiveRows,
     /// [`feature_covariance`].
     pub covariance: &'a [f64],
 }
@@ -89,9 +89,9 @@ pub struct Pruning<'a> {
 impl Pruning<'_> {
     /// Keeps for each attribute `share` of the Gaussians' rows: those whose corrective B e varies
     /// most, Σ_c b_c C b_cᵀ with the covariance C of their part's features.
-    pub fn by_variance(&self, share: f64) -> Rows {
+    pub fn by_variance(&self, share: f64) -> CorrectiveRows {
         let keep = (share * self.layout.gaussians as f64).round() as usize;
-        Rows {
+        CorrectiveRows {
             gaussian: std::array::from_fn(|attribute| {
                 let ranked = self.ranked(attribute, &|_, _| 1.0);
                 rising(best(ranked, keep).map(|row| row.gaussian))
@@ -101,7 +101,7 @@ impl Pruning<'_> {
 
     /// Keeps in all the number of rows of [`Self::by_variance`], of any attribute: those whose change over
     /// poses changes the loss of pictures most, Σ_c F_c b_c C b_cᵀ with the sensitivity F of the number.
-    pub fn by_pictures(&self, share: f64, sensitivity: &Sensitivity) -> Rows {
+    pub fn by_pictures(&self, share: f64, sensitivity: &Sensitivity) -> CorrectiveRows {
         let keep = COMPONENTS.len() * (share * self.layout.gaussians as f64).round() as usize;
         let mut all = Vec::new();
         let mut first = 0;
@@ -111,7 +111,7 @@ impl Pruning<'_> {
             first += components;
         }
         let kept: Vec<Ranked> = best(all, keep).collect();
-        Rows {
+        CorrectiveRows {
             gaussian: std::array::from_fn(|attribute| {
                 let own = kept.iter().filter(|row| row.attribute == attribute);
                 rising(own.map(|row| row.gaussian))
@@ -175,9 +175,9 @@ fn quadratic(b: &[f32], c: &[f64]) -> f64 {
 /// The numbers of the rows that stay; everything else as it is.
 pub fn keep_rows(
     numbers: &Parameters<f32>,
-    layout: &Layout,
-    rows: &Rows,
-    kept: &Rows,
+    layout: &ParameterLayout,
+    rows: &CorrectiveRows,
+    kept: &CorrectiveRows,
 ) -> Parameters<f32> {
     let mut bases = Vec::new();
     for (attribute, components) in COMPONENTS.into_iter().enumerate() {
@@ -197,7 +197,7 @@ pub fn keep_rows(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::topology::Placed;
+    use crate::topology::PlacedGaussian;
     use effigy_core::avatar::{Activation, Filter};
     use glam::DVec3;
 
@@ -220,7 +220,7 @@ mod tests {
     #[test]
     fn rows_that_pictures_show_stay() {
         let count = 6;
-        let placed = Placed {
+        let placed = PlacedGaussian {
             position: DVec3::ZERO,
             node: [0; 3],
             node_weight: [1.0, 0.0, 0.0],
@@ -241,8 +241,8 @@ mod tests {
             joints: 1,
             filter: Filter::DEFAULT,
         };
-        let rows = Rows::all(count);
-        let layout = Layout::new(&topology, &rows);
+        let rows = CorrectiveRows::all(count);
+        let layout = ParameterLayout::new(&topology, &rows);
         let mut parameters = Parameters::zeros(&layout);
         // Rotations vary more than colours.
         for (attribute, size) in [(0, 0.5), (2, 0.1)] {

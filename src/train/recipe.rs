@@ -21,7 +21,7 @@ pub struct Recipe {
     /// How much of everything there is.
     pub sizes: Sizes,
     /// How long it takes.
-    pub schedule: Schedule,
+    pub schedule: TrainingSchedule,
     /// Weights of the losses.
     pub loss: LossWeights,
     /// The perceptual loss.
@@ -36,8 +36,8 @@ pub struct Recipe {
 
 /// How long a training takes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Schedule {
+#[serde(deny_unknown_fields, rename = "Schedule")]
+pub struct TrainingSchedule {
     /// Steps before pruning.
     pub iterations: u64,
     /// Steps after it, without the loss of correctives.

@@ -23,7 +23,7 @@ pub struct Items {
 }
 
 /// The poses of a capture's frames, the positions of its cameras and the lengths of its person's
-/// bones, as they are known by now.
+/// bones, refined so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refinement {
     /// Of each frame: a vector a joint, its axis-angle rotation, radians; the translation, metres.
@@ -178,7 +178,7 @@ impl Refinement {
         shape(self) == shape(other)
     }
 
-    /// The skeleton with bones as they are known by now. `given`: the body model's.
+    /// The skeleton with refined bones. `given`: the body model's.
     pub fn skeleton(&self, given: &Skeleton) -> Skeleton {
         let bones = self.bones.values.chunks_exact(3).map(DVec3::from_slice);
         given.with_bones(&bones.collect::<Vec<_>>())

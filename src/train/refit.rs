@@ -2,13 +2,13 @@
 //! poses are off.
 
 use crate::adam::Adam;
-use crate::data::{DataOptions, Views, random_color, shots};
+use crate::data::{DataOptions, TrainingViews, random_color, shots};
 use crate::error::TrainError;
 use crate::gpu::{StepOptions, Trainer, TrainerState};
-use crate::parameters::{Layout, Parameters};
+use crate::parameters::{ParameterLayout, Parameters};
 use crate::refine::Refinement;
-use crate::topology::{Rows, Topology};
-use crate::view::View;
+use crate::topology::{CorrectiveRows, Topology};
+use crate::view::TrainingView;
 use effigy::vulkan::Gpu;
 use effigy_capture::Capture;
 use effigy_core::avatar::{Avatar, Pose};
@@ -26,7 +26,7 @@ const END: f64 = 0.05;
 
 /// Fits the poses of some frames to the pictures that cameras took of them which are not held out,
 /// by the same loss as training's. The avatar stays as it is. None for a frame without such
-/// pictures. `done` hears of every frame.
+/// pictures. `done` gets the number of frames done.
 ///
 /// # Errors
 /// When the device is lost or not for training, or pictures can't be read.
@@ -46,10 +46,10 @@ pub fn refit(
     let mut seen = shots(capture, |camera, _| !camera);
     seen.retain(|shot| frames.contains(&shot.frame));
     if !seen.is_empty() {
-        let views = Views::new(capture, avatar, seen, data, 1, None);
+        let views = TrainingViews::new(capture, avatar, seen, data, 1, None);
         let topology = Topology::new(avatar);
-        let rows = Rows::of(avatar);
-        let layout = Layout::new(&topology, &rows);
+        let rows = CorrectiveRows::of(avatar);
+        let layout = ParameterLayout::new(&topology, &rows);
         let state = TrainerState::new(&layout, Parameters::of(avatar, &layout));
         let mut trainer = Trainer::new(gpu, &topology, &rows, &state, views.size(), PICTURES)?;
         for (at, &frame) in frames.iter().enumerate() {
@@ -67,7 +67,7 @@ pub fn refit(
                     let found = views.steady(shot, random_color(&mut random))?;
                     // Another stands in for a picture that can't be read: not of this frame.
                     if found.shot.frame == frame {
-                        looked.push(View {
+                        looked.push(TrainingView {
                             joints: joints.clone(),
                             input: input.clone(),
                             ..found.view

@@ -1,23 +1,23 @@
 //! A training from start to end: steps, pruning, checkpoints, and the avatar that comes out.
 
 use crate::adam::{Adam, Rates};
-use crate::checkpoint::{Checkpoint, remove_parts};
-use crate::data::{Looked, Shot, Views, distinct_shots, training_shots};
+use crate::checkpoint::{TrainingCheckpoint, remove_parts};
+use crate::data::{LoadedView, ShotIndex, TrainingViews, distinct_shots, training_shots};
 use crate::error::{LEAST_SIDE, MAX_EMPTY_VIEWS, TrainError};
 use crate::exposure::Exposure;
 use crate::gpu::{StepOptions, Trainer, TrainerState, memory_bytes};
 use crate::lock::Lock;
-use crate::log::{self, Now, Progress, Sums};
-use crate::parameters::{Layout, Parameters};
-use crate::perceptual::AskedLoss;
-use crate::preflight::{self, Subject};
+use crate::log::{self, ProgressSums, TrainingProgress, TrainingTime};
+use crate::parameters::{ParameterLayout, Parameters};
+use crate::perceptual::PerceptualLoss;
+use crate::preflight::{self, PreflightSubject};
 use crate::prune::{Pruning, Sensitivity, feature_covariance, keep_rows};
 use crate::recipe::{PruneBy, Recipe};
 use crate::refine::{CameraGradient, RefineRates, Refinement, SeenFrom};
 use crate::start::start;
-use crate::topology::{Rows, Topology};
-use crate::view::View;
-use crate::watch::{self, Seen, Watched, watched_shots};
+use crate::topology::{CorrectiveRows, Topology};
+use crate::view::TrainingView;
+use crate::watch::{self, WatchedImage, WatchedViews, watched_shots};
 use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureError};
 use effigy_core::avatar::{Avatar, Pose, PoseGradient, Skeleton};
@@ -64,7 +64,7 @@ pub struct SessionOptions {
     /// Where the weights of the perceptual loss are.
     pub perceptual_weights: PathBuf,
     /// Kept up to date by the training.
-    pub standing: Arc<Standing>,
+    pub standing: Arc<TrainingStatus>,
     /// Name of the avatar.
     pub name: String,
     /// Where it comes from.
@@ -73,7 +73,7 @@ pub struct SessionOptions {
 
 /// The state of a training, readable by what may end the program at any time.
 #[derive(Default)]
-pub struct Standing {
+pub struct TrainingStatus {
     /// Steps so far; 0 while it is not known yet.
     pub steps: AtomicU64,
     /// Whether something was learned since the last checkpoint.
@@ -82,7 +82,7 @@ pub struct Standing {
     lock: OnceLock<File>,
 }
 
-impl Standing {
+impl TrainingStatus {
     /// Releases the folder's lock, before the program ends without dropping the session.
     pub fn leave(&self) {
         if let Some(lock) = self.lock.get() {
@@ -93,7 +93,7 @@ impl Standing {
 
 /// What a training is about to do, and the memory for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Plan {
+pub struct TrainingPlan {
     /// Number of pictures that it learns from.
     pub pictures: usize,
     /// Width and height of every view, px.
@@ -107,7 +107,7 @@ pub struct Plan {
 }
 
 /// How a training ended.
-pub enum Outcome {
+pub enum TrainingOutcome {
     /// With an avatar.
     Done(Box<Avatar>),
     /// It was asked to stop, and can go on from a checkpoint.
@@ -115,21 +115,21 @@ pub enum Outcome {
 }
 
 /// A training that has begun.
-pub struct Session {
+pub struct TrainingSession {
     gpu: Arc<Gpu>,
     capture: Arc<Capture>,
     recipe: Recipe,
     options: SessionOptions,
     start: Avatar,
     topology: Topology,
-    rows: Rows,
+    rows: CorrectiveRows,
     /// None after pruning ran out of device memory, which ends the session.
     trainer: Option<Trainer>,
     /// Steps when it ended so.
     ended_at: u64,
-    views: Arc<Views>,
-    watched: Watched,
-    asked: Option<AskedLoss>,
+    views: Arc<TrainingViews>,
+    watched: WatchedViews,
+    perceptual: Option<PerceptualLoss>,
     exposure: Exposure,
     refinement: Refinement,
     pruned: bool,
@@ -142,7 +142,7 @@ pub struct Session {
     _lock: Lock,
 }
 
-impl Session {
+impl TrainingSession {
     /// Begins a training, or resumes one. `announce` gets the plan before the device is used.
     ///
     /// # Errors
@@ -153,9 +153,9 @@ impl Session {
         capture: &Arc<Capture>,
         recipe: &Recipe,
         options: SessionOptions,
-        announce: impl FnOnce(&Plan),
+        announce: impl FnOnce(&TrainingPlan),
     ) -> Result<Self, TrainError> {
-        let setup = Setup {
+        let setup = SessionSetup {
             capture,
             recipe,
             options: &options,
@@ -167,14 +167,15 @@ impl Session {
         let start = setup.start(last.is_some())?;
         let (views, watched) = setup.views(&start)?;
         let topology = Topology::new(&start);
-        let asked = AskedLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
+        let perceptual =
+            PerceptualLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
         let check = options.check && last.is_none();
         let checkpoint = last.unwrap_or_else(|| setup.first(&start, &topology, &views));
         setup.expect_same_capture(&checkpoint, &topology, &views)?;
         let batch = recipe.schedule.batch;
         let steps = checkpoint.state.steps;
         options.standing.steps.store(steps, Ordering::SeqCst);
-        announce(&Plan {
+        announce(&TrainingPlan {
             pictures: views.len(),
             view_size: views.size(),
             memory_bytes: memory_bytes(&topology, &checkpoint.rows, views.size(), batch),
@@ -183,14 +184,14 @@ impl Session {
         });
         if check {
             // Its memory is free again before the training's is allocated.
-            preflight(&Subject {
+            preflight(&PreflightSubject {
                 gpu,
                 capture,
                 recipe,
                 start: &start,
                 topology: &topology,
                 views: &views,
-                asked: asked.as_ref(),
+                perceptual: perceptual.as_ref(),
                 patience: preflight::PATIENCE,
             })?;
         }
@@ -211,7 +212,7 @@ impl Session {
             ended_at: 0,
             views,
             watched,
-            asked,
+            perceptual,
             exposure: checkpoint.exposure,
             refinement: checkpoint.refinement,
             pruned: checkpoint.pruned,
@@ -232,8 +233,8 @@ impl Session {
     }
 
     /// Where it is.
-    fn now(&self) -> Now {
-        Now {
+    fn now(&self) -> TrainingTime {
+        TrainingTime {
             steps: self.steps(),
             share: self.share(),
             seconds: self.elapsed(),
@@ -252,7 +253,7 @@ impl Session {
     /// When the device is lost.
     pub fn avatar(&self) -> Result<Avatar, TrainError> {
         let mut avatar = self.start.clone();
-        let layout = Layout::new(&self.topology, &self.rows);
+        let layout = ParameterLayout::new(&self.topology, &self.rows);
         let parameters = self.trainer()?.parameters()?;
         parameters.put_into(&mut avatar, &layout, &self.rows);
         avatar.skeleton = self.skeleton();
@@ -267,8 +268,8 @@ impl Session {
     pub fn run(
         &mut self,
         stop: &AtomicBool,
-        mut report: impl FnMut(&Self, &Progress),
-    ) -> Result<Outcome, TrainError> {
+        mut report: impl FnMut(&Self, &TrainingProgress),
+    ) -> Result<TrainingOutcome, TrainError> {
         self.begun = Instant::now();
         let batch = self.recipe.schedule.batch as u64;
         let views = self.views.clone();
@@ -278,7 +279,7 @@ impl Session {
             let (send, coming) = sync_channel(4);
             scope.spawn(move || {
                 for at in (first..).step_by(batch as usize) {
-                    let step: Result<Vec<Looked>, CaptureError> = (at..at + batch)
+                    let step: Result<Vec<LoadedView>, CaptureError> = (at..at + batch)
                         .into_par_iter()
                         .map(|place| views.at(place))
                         .collect();
@@ -299,12 +300,12 @@ impl Session {
 
     fn steps_of(
         &mut self,
-        coming: &Receiver<Result<Vec<Looked>, CaptureError>>,
+        coming: &Receiver<Result<Vec<LoadedView>, CaptureError>>,
         stop: &AtomicBool,
-        report: &mut impl FnMut(&Self, &Progress),
-    ) -> Result<Outcome, TrainError> {
+        report: &mut impl FnMut(&Self, &TrainingProgress),
+    ) -> Result<TrainingOutcome, TrainError> {
         let mut saved = Instant::now();
-        let mut sums = Sums::default();
+        let mut sums = ProgressSums::default();
         let first = self.steps();
         loop {
             let share = self.share();
@@ -313,7 +314,7 @@ impl Session {
             }
             if stop.load(Ordering::Relaxed) {
                 self.save()?;
-                return Ok(Outcome::Stopped);
+                return Ok(TrainingOutcome::Stopped);
             }
             if !self.pruned && share >= self.pruning_share() {
                 self.prune()?;
@@ -335,13 +336,13 @@ impl Session {
                 report(self, &progress);
             }
             if self.steps() == first + 1 {
-                // Drivers compile kernels in the first step, which is no part of the training.
+                // Drivers compile kernels in the first step, which does not count as training time.
                 self.begun = Instant::now();
             }
             if saved.elapsed() >= self.options.checkpoint_every {
                 self.save()?;
                 if stop.load(Ordering::Relaxed) {
-                    return Ok(Outcome::Stopped);
+                    return Ok(TrainingOutcome::Stopped);
                 }
                 self.watch()?;
                 saved = Instant::now();
@@ -360,7 +361,7 @@ impl Session {
         if let Err(error) = self.watch().and_then(|()| self.chart()) {
             tracing::warn!("{error}");
         }
-        Ok(Outcome::Done(Box::new(avatar)))
+        Ok(TrainingOutcome::Done(Box::new(avatar)))
     }
 
     /// Draws the watched views: their PSNR goes into a log of its own, and an image of them beside
@@ -381,7 +382,7 @@ impl Session {
                 .trainer_mut()?
                 .images(std::slice::from_ref(&view), &options)?
                 .remove(0);
-            seen.push(Seen { view, image });
+            seen.push(WatchedImage { view, image });
         }
         let steps = self.steps();
         self.watched.write(&self.options.folder, steps, &seen)?;
@@ -397,15 +398,15 @@ impl Session {
     /// One step. Returns false where `stop` was set before its end: then nothing is learned.
     fn step(
         &mut self,
-        looked: Vec<Looked>,
+        looked: Vec<LoadedView>,
         share: f64,
         stop: &AtomicBool,
-        sums: &mut Sums,
+        sums: &mut ProgressSums,
     ) -> Result<bool, TrainError> {
         let corrects = self.corrects(share);
         let recipe = &self.recipe;
-        let shots: Vec<Shot> = looked.iter().map(|looked| looked.shot).collect();
-        let views: Vec<View> = looked
+        let shots: Vec<ShotIndex> = looked.iter().map(|looked| looked.shot).collect();
+        let views: Vec<TrainingView> = looked
             .into_iter()
             .map(|looked| self.refined(looked))
             .collect();
@@ -424,19 +425,20 @@ impl Session {
             rates: recipe.rates.at(share),
             adam: recipe.rates.adam(),
         };
-        let asks = before >= recipe.perceptual.from_share
+        let adds_perceptual = before >= recipe.perceptual.from_share
             && self.steps().is_multiple_of(recipe.perceptual.every);
         let step = self.steps() + 1;
         let trainer = self.trainer.as_mut().ok_or(TrainError::Ended)?;
-        let found = match &self.asked {
-            Some(asked) if asks => {
+        let found = match &self.perceptual {
+            Some(perceptual) if adds_perceptual => {
                 let place = self.place;
                 let mut value = 0.0;
                 let found =
                     trainer.step_with_image_loss(views, &options, stop, |number, image| {
-                        let said = asked.ask(&views[number], place + number as u64, image)?;
-                        value += said.value / views.len() as f64;
-                        Some(said.gradient)
+                        let term =
+                            perceptual.compare(&views[number], place + number as u64, image)?;
+                        value += term.value / views.len() as f64;
+                        Some(term.gradient)
                     })?;
                 let Some(found) = found else {
                     return Ok(false);
@@ -470,7 +472,7 @@ impl Session {
     }
 
     /// Counts views in which no Gaussian was visible, until there was one; too many are an error.
-    fn count_empty_views(&mut self, empty: usize, shots: &[Shot]) -> Result<(), TrainError> {
+    fn count_empty_views(&mut self, empty: usize, shots: &[ShotIndex]) -> Result<(), TrainError> {
         self.empty_views = match self.empty_views {
             Some(before) if empty == shots.len() => Some(before + empty as u64),
             _ => None,
@@ -488,9 +490,9 @@ impl Session {
     }
 
     /// A view with the refined pose, camera and bones.
-    fn refined(&self, looked: Looked) -> View {
-        let Looked { view, shot } = looked;
-        let mut view = View {
+    fn refined(&self, looked: LoadedView) -> TrainingView {
+        let LoadedView { view, shot } = looked;
+        let mut view = TrainingView {
             gain: self.exposure.gain(shot.camera),
             ..view
         };
@@ -521,7 +523,7 @@ impl Session {
     /// that several views share from the sum.
     fn refine(
         &mut self,
-        shots: &[Shot],
+        shots: &[ShotIndex],
         rates: RefineRates,
         adam: &Adam,
     ) -> Result<(), TrainError> {
@@ -622,7 +624,7 @@ impl Session {
     /// Removes the basis rows that are worth least, and their moments.
     fn prune(&mut self) -> Result<(), TrainError> {
         let state = self.save()?;
-        let layout = Layout::new(&self.topology, &self.rows);
+        let layout = ParameterLayout::new(&self.topology, &self.rows);
         let sensitivity = match self.recipe.prune.by {
             PruneBy::Variance => Sensitivity::new(0),
             PruneBy::Pictures => self.sensitivity()?,
@@ -710,7 +712,7 @@ impl Session {
                 count,
             });
         }
-        let checkpoint = Checkpoint {
+        let checkpoint = TrainingCheckpoint {
             state,
             rows: self.rows.clone(),
             pruned: self.pruned,
@@ -730,20 +732,20 @@ impl Session {
 }
 
 /// What a session is set up from.
-struct Setup<'a> {
+struct SessionSetup<'a> {
     capture: &'a Arc<Capture>,
     recipe: &'a Recipe,
     options: &'a SessionOptions,
 }
 
-impl Setup<'_> {
+impl SessionSetup<'_> {
     fn folder_name(&self) -> String {
         self.options.folder.display().to_string()
     }
 
     /// Locks the training's folder and reads its last checkpoint. Later ones, which are broken, are
     /// set aside.
-    fn open_folder(&self) -> Result<(Lock, Option<Checkpoint>), TrainError> {
+    fn open_folder(&self) -> Result<(Lock, Option<TrainingCheckpoint>), TrainError> {
         let folder = &self.options.folder;
         let unwritable = |file: &Path, cause| FileError::Write {
             file: file.into(),
@@ -754,7 +756,7 @@ impl Setup<'_> {
         if let Ok(file) = lock.file() {
             self.options.standing.lock.get_or_init(|| file);
         }
-        let found = Checkpoint::last(folder).map_err(|cause| FileError::Read {
+        let found = TrainingCheckpoint::last(folder).map_err(|cause| FileError::Read {
             file: folder.clone(),
             cause,
         })?;
@@ -778,7 +780,7 @@ impl Setup<'_> {
     }
 
     /// Checks that a checkpoint may be resumed, and with the same recipe.
-    fn expect_resumable(&self, checkpoint: &Checkpoint) -> Result<(), TrainError> {
+    fn expect_resumable(&self, checkpoint: &TrainingCheckpoint) -> Result<(), TrainError> {
         if !self.options.resume {
             return Err(TrainError::Begun {
                 folder: self.folder_name(),
@@ -820,9 +822,10 @@ impl Setup<'_> {
     }
 
     /// The views that are learned from, and those that are watched.
-    fn views(&self, start: &Avatar) -> Result<(Arc<Views>, Watched), TrainError> {
+    fn views(&self, start: &Avatar) -> Result<(Arc<TrainingViews>, WatchedViews), TrainError> {
         let Recipe { data, seed, .. } = self.recipe;
-        let of_shots = |shots, size| Views::new(self.capture, start, shots, data, *seed, size);
+        let of_shots =
+            |shots, size| TrainingViews::new(self.capture, start, shots, data, *seed, size);
         let views = of_shots(distinct_shots(self.capture, start, data.duplicate), None);
         if views.size().iter().any(|&side| side < LEAST_SIDE) {
             return Err(TrainError::SmallViews { size: views.size() });
@@ -833,15 +836,20 @@ impl Setup<'_> {
             });
         }
         let watched = watched_shots(self.capture, views.size());
-        let watched = Watched::new(of_shots(watched, Some(views.size())));
+        let watched = WatchedViews::new(of_shots(watched, Some(views.size())));
         Ok((Arc::new(views), watched))
     }
 
     /// The state before the first step.
-    fn first(&self, start: &Avatar, topology: &Topology, views: &Views) -> Checkpoint {
-        let rows = Rows::all(start.gaussians.len());
-        let layout = Layout::new(topology, &rows);
-        Checkpoint {
+    fn first(
+        &self,
+        start: &Avatar,
+        topology: &Topology,
+        views: &TrainingViews,
+    ) -> TrainingCheckpoint {
+        let rows = CorrectiveRows::all(start.gaussians.len());
+        let layout = ParameterLayout::new(topology, &rows);
+        TrainingCheckpoint {
             state: TrainerState::new(&layout, Parameters::of(start, &layout)),
             rows,
             pruned: false,
@@ -872,11 +880,11 @@ impl Setup<'_> {
     /// Checks that a checkpoint has the numbers of this avatar and capture.
     fn expect_same_capture(
         &self,
-        checkpoint: &Checkpoint,
+        checkpoint: &TrainingCheckpoint,
         topology: &Topology,
-        views: &Views,
+        views: &TrainingViews,
     ) -> Result<(), TrainError> {
-        let expected = Layout::new(topology, &checkpoint.rows).lengths();
+        let expected = ParameterLayout::new(topology, &checkpoint.rows).lengths();
         let numbers = checkpoint.state.parameters.arrays().map(<[f32]>::len);
         let fits = numbers == expected
             && checkpoint.data == views.name()
@@ -895,7 +903,7 @@ impl Setup<'_> {
 }
 
 /// Runs the preflight check and logs its warnings. Faults are an error.
-fn preflight(subject: &Subject) -> Result<(), TrainError> {
+fn preflight(subject: &PreflightSubject) -> Result<(), TrainError> {
     let began = Instant::now();
     let found = preflight::check(subject)?;
     tracing::info!("checked in {:.1} s", began.elapsed().as_secs_f64());

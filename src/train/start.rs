@@ -1,7 +1,7 @@
 //! The avatar that a training begins with: Gaussians spread evenly on a template, grey, with small
 //! random bases.
 
-use effigy_capture::{Influence, Template};
+use effigy_capture::{Template, VertexInfluence};
 use effigy_core::avatar::{
     Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Pose,
     Rows,
@@ -55,7 +55,7 @@ struct Point {
     position: DVec3,
     normal: DVec3,
     /// The largest first.
-    influences: Vec<Influence>,
+    influences: Vec<VertexInfluence>,
     on_head: bool,
 }
 
@@ -204,14 +204,14 @@ fn dart(position: DVec3, on_head: bool, sizes: &Sizes) -> Dart {
 }
 
 /// The joints that move a place of a triangle, the strongest first.
-fn blended(template: &Template, triangle: &[u32; 3], weights: [f64; 3]) -> Vec<Influence> {
-    let mut sums: Vec<Influence> = Vec::new();
+fn blended(template: &Template, triangle: &[u32; 3], weights: [f64; 3]) -> Vec<VertexInfluence> {
+    let mut sums: Vec<VertexInfluence> = Vec::new();
     for (&vertex, share) in triangle.iter().zip(weights) {
         for influence in &template.weights[vertex as usize] {
             let weight = influence.weight * share as f32;
             match sums.iter_mut().find(|known| known.joint == influence.joint) {
                 Some(known) => known.weight += weight,
-                None => sums.push(Influence {
+                None => sums.push(VertexInfluence {
                     weight,
                     ..*influence
                 }),
@@ -222,8 +222,8 @@ fn blended(template: &Template, triangle: &[u32; 3], weights: [f64; 3]) -> Vec<I
     sums
 }
 
-fn head_share(template: &Template, influences: &[Influence]) -> f32 {
-    let is_head = |influence: &&Influence| template.head_joints.contains(&influence.joint);
+fn head_share(template: &Template, influences: &[VertexInfluence]) -> f32 {
+    let is_head = |influence: &&VertexInfluence| template.head_joints.contains(&influence.joint);
     influences.iter().filter(is_head).map(|i| i.weight).sum()
 }
 
@@ -365,7 +365,7 @@ mod tests {
                 let both = [(0, 1.0 - upper), (1, upper)];
                 let own = both.into_iter().filter(|(_, weight)| *weight > 0.0);
                 weights.push(
-                    own.map(|(joint, weight)| Influence { joint, weight })
+                    own.map(|(joint, weight)| VertexInfluence { joint, weight })
                         .collect(),
                 );
             }

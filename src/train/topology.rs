@@ -6,7 +6,7 @@ use glam::DVec3;
 
 /// A Gaussian's place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placed {
+pub struct PlacedGaussian {
     /// x₀, canonical pose, metres.
     pub position: DVec3,
     /// The three nodes that it follows.
@@ -32,12 +32,12 @@ pub struct Follower {
 
 /// Rows of basis functions: which Gaussians have correctives.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rows {
+pub struct CorrectiveRows {
     /// The Gaussian of each row of rotation, scale and colour, strictly rising.
     pub gaussian: [Vec<u32>; 3],
 }
 
-impl Rows {
+impl CorrectiveRows {
     /// All of so many Gaussians, for every attribute: the first stage of the training.
     pub fn all(gaussians: usize) -> Self {
         let all: Vec<u32> = (0..gaussians as u32).collect();
@@ -69,7 +69,7 @@ impl Rows {
 #[derive(Clone, Debug)]
 pub struct Topology {
     /// One a Gaussian, ordered by part.
-    pub gaussians: Vec<Placed>,
+    pub gaussians: Vec<PlacedGaussian>,
     /// Part i is Gaussians `part_start[i]..part_start[i + 1]`.
     pub part_start: Vec<u32>,
     /// Parts before this one see the expression.
@@ -98,8 +98,8 @@ impl Topology {
     /// # Panics
     /// Where `Avatar::check` finds a fault.
     pub fn new(avatar: &Avatar) -> Self {
-        let gaussians: Vec<Placed> = (0..avatar.gaussians.len())
-            .map(|k| Placed {
+        let gaussians: Vec<PlacedGaussian> = (0..avatar.gaussians.len())
+            .map(|k| PlacedGaussian {
                 position: avatar.position(k),
                 node: avatar.gaussians.node[k],
                 node_weight: avatar.node_weights(k),

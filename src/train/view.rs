@@ -1,4 +1,4 @@
-//! What a step looks at: a pose, a camera, and the picture that it took.
+//! A view that a step learns from: a pose, a camera, and the picture that it took.
 
 use effigy_core::scene::Camera;
 use glam::{DAffine3, DVec3};
@@ -20,7 +20,7 @@ pub enum Shows {
 
 /// A picture of a person, or a part of one, and what it is compared over.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Picture {
+pub struct ViewPicture {
     /// Width and height, px.
     pub size: [u32; 2],
     /// RGB, and what the pixel shows: a [`Shows`]. Rows from the top.
@@ -29,7 +29,7 @@ pub struct Picture {
     pub behind: Vec<[u8; 4]>,
 }
 
-impl Picture {
+impl ViewPicture {
     /// What a pixel shows.
     pub fn shows(&self, pixel: usize) -> Shows {
         match self.pixels[pixel][3] {
@@ -57,7 +57,7 @@ fn unit([r, g, b, _]: [u8; 4]) -> DVec3 {
 
 /// A view: a pose, a camera, and the picture that it took.
 #[derive(Clone, Debug)]
-pub struct View {
+pub struct TrainingView {
     /// G_j: canonical space to world, one a joint.
     pub joints: Vec<DAffine3>,
     /// θ_p ⊕ θ_e.
@@ -71,5 +71,5 @@ pub struct View {
     /// cutting away what is empty does not change their balance.
     pub whole: u64,
     /// The picture.
-    pub picture: Arc<Picture>,
+    pub picture: Arc<ViewPicture>,
 }

@@ -1,8 +1,8 @@
-//! What a training looks like from outside: views that it does not learn from, beside their
-//! pictures, and a chart.
+//! The progress of a training for people: views that it does not learn from, beside their pictures,
+//! and a chart.
 
-use crate::data::{Shot, Views, shots, training_shots};
-use crate::view::{Shows, View};
+use crate::data::{ShotIndex, TrainingViews, shots, training_shots};
+use crate::view::{Shows, TrainingView};
 use effigy_capture::Capture;
 use effigy_core::io::file::{FileError, replace};
 use effigy_measure::chart::{Axis, BLUE, Chart, ChartError, Corner, Line, ORANGE, Panel, Style};
@@ -21,22 +21,22 @@ const CHART: &str = "training.svg";
 const ERROR_SCALE: f32 = 4.0;
 
 /// Views that are not learned from, or, where none is held out, some that are.
-pub struct Watched {
-    /// They.
-    pub views: Views,
+pub struct WatchedViews {
+    /// The views.
+    pub views: TrainingViews,
 }
 
 /// A view, and its image.
-pub struct Seen {
+pub struct WatchedImage {
     /// The view.
-    pub view: View,
+    pub view: TrainingView,
     /// RGB of every pixel over the view's background.
     pub image: Vec<[f32; 3]>,
 }
 
-/// A few pictures that are held out, evenly spaced; of the training's where there is none. `size`:
-/// of the views, which smaller pictures have no room for.
-pub fn watched_shots(capture: &Capture, size: [u32; 2]) -> Vec<Shot> {
+/// A few pictures that are held out, evenly spaced; without any, some of the training's. `size`:
+/// of the views; smaller pictures are skipped.
+pub fn watched_shots(capture: &Capture, size: [u32; 2]) -> Vec<ShotIndex> {
     let mut all = shots(capture, |camera, frame| camera || frame);
     if all.is_empty() {
         all = training_shots(capture);
@@ -51,7 +51,7 @@ pub fn watched_shots(capture: &Capture, size: [u32; 2]) -> Vec<Shot> {
         .collect()
 }
 
-impl Seen {
+impl WatchedImage {
     /// The mean squared error over what the picture is sure of, and over how many channels.
     fn squared_error(&self) -> (f64, usize) {
         let mut sum = 0.0;
@@ -69,9 +69,9 @@ impl Seen {
     }
 }
 
-impl Watched {
+impl WatchedViews {
     /// Watches some views.
-    pub fn new(views: Views) -> Self {
+    pub fn new(views: TrainingViews) -> Self {
         Self { views }
     }
 
@@ -80,10 +80,10 @@ impl Watched {
     ///
     /// # Errors
     /// When a file can't be written.
-    pub fn write(&self, folder: &Path, steps: u64, seen: &[Seen]) -> Result<(), FileError> {
+    pub fn write(&self, folder: &Path, steps: u64, seen: &[WatchedImage]) -> Result<(), FileError> {
         let (sum, channels) = seen
             .iter()
-            .map(Seen::squared_error)
+            .map(WatchedImage::squared_error)
             .fold((0.0, 0), |(sum, count), (own, channels)| {
                 (sum + own, count + channels)
             });
@@ -109,7 +109,7 @@ impl Watched {
 }
 
 /// A row for each view: picture, image, error.
-fn sheet(size: [u32; 2], seen: &[Seen]) -> RgbImage {
+fn sheet(size: [u32; 2], seen: &[WatchedImage]) -> RgbImage {
     let [width, height] = size;
     let mut sheet = RgbImage::new(3 * width, height * seen.len() as u32);
     for (row, one) in (0..).zip(seen) {

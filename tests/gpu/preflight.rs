@@ -5,11 +5,11 @@ use crate::common::gpu;
 use effigy_capture::Capture;
 use effigy_core::avatar::Avatar;
 use effigy_train::{
-    data::{Views, training_shots},
-    perceptual::AskedLoss,
-    preflight::{self, Findings, Subject},
+    data::{TrainingViews, training_shots},
+    perceptual::PerceptualLoss,
+    preflight::{self, Findings, PreflightSubject},
     recipe::{PerceptualKind, Preset, Recipe},
-    session::{Outcome, Session, SessionOptions},
+    session::{SessionOptions, TrainingOutcome, TrainingSession},
     start::start,
     topology::Topology,
 };
@@ -58,14 +58,14 @@ fn check(capture: Capture, recipe: &Recipe, start: &Avatar) -> Findings {
 fn check_within(patience: Duration, capture: Capture, recipe: &Recipe, start: &Avatar) -> Findings {
     let capture = Arc::new(capture);
     let shots = training_shots(&capture);
-    let asked = AskedLoss::new(&recipe.perceptual, Path::new(""), 1).unwrap();
-    preflight::check(&Subject {
+    let perceptual = PerceptualLoss::new(&recipe.perceptual, Path::new(""), 1).unwrap();
+    preflight::check(&PreflightSubject {
         gpu: &gpu::gpu(),
         recipe,
         start,
         topology: &Topology::new(start),
-        views: &Views::new(&capture, start, shots, &recipe.data, 1, None),
-        asked: asked.as_ref(),
+        views: &TrainingViews::new(&capture, start, shots, &recipe.data, 1, None),
+        perceptual: perceptual.as_ref(),
         patience,
         capture: &capture,
     })
@@ -163,14 +163,14 @@ fn a_training_is_the_same_with_and_without_a_check() {
             credit: String::new(),
         };
         let mut checked = None;
-        let mut session = Session::new(&gpu::gpu(), &capture, &recipe(), options, |plan| {
+        let mut session = TrainingSession::new(&gpu::gpu(), &capture, &recipe(), options, |plan| {
             checked = Some(plan.check);
         })
         .unwrap();
         assert_eq!(checked, Some(check));
         match session.run(&AtomicBool::new(false), |_, _| {}).unwrap() {
-            Outcome::Done(avatar) => avatar,
-            Outcome::Stopped => panic!("nobody stopped it"),
+            TrainingOutcome::Done(avatar) => avatar,
+            TrainingOutcome::Stopped => panic!("nobody stopped it"),
         }
     };
     assert!(train(true) == train(false), "the avatars differ");

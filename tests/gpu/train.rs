@@ -7,11 +7,11 @@ use effigy_core::scene::{Camera, Posed};
 use effigy_train::adam::{Adam, Rates};
 use effigy_train::gpu::{StepOptions, TileShape, Trainer, TrainerState};
 use effigy_train::loss::LossWeights;
-use effigy_train::parameters::{GAUSSIAN, Layout, Parameters};
+use effigy_train::parameters::{GAUSSIAN, ParameterLayout, Parameters};
 use effigy_train::reference::Problem;
 use effigy_train::refine::Refinement;
-use effigy_train::topology::{Rows, Topology};
-use effigy_train::view::{Picture, View};
+use effigy_train::topology::{CorrectiveRows, Topology};
+use effigy_train::view::{TrainingView, ViewPicture};
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -20,10 +20,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 struct Scene {
     avatar: Avatar,
     topology: Topology,
-    rows: Rows,
-    layout: Layout,
+    rows: CorrectiveRows,
+    layout: ParameterLayout,
     start: TrainerState,
-    views: Vec<View>,
+    views: Vec<TrainingView>,
 }
 
 #[derive(Clone, Copy)]
@@ -60,8 +60,8 @@ impl Scene {
         );
         avatar.filter = setting.filter;
         let topology = Topology::new(&avatar);
-        let rows = Rows::of(&avatar);
-        let layout = Layout::new(&topology, &rows);
+        let rows = CorrectiveRows::of(&avatar);
+        let layout = ParameterLayout::new(&topology, &rows);
         let mut parameters = Parameters::of(&avatar, &layout);
         for numbers in parameters.gaussians.chunks_exact_mut(GAUSSIAN) {
             for scale in &mut numbers[4..7] {
@@ -75,13 +75,13 @@ impl Scene {
                 let middle = posed.joints[0].transform_point3(DVec3::new(0.0, 0.9, 0.0));
                 let yaw = number as f64;
                 let pixels = setting.size[0] * setting.size[1];
-                View {
+                TrainingView {
                     joints: posed.joints,
                     input: posed.input,
                     camera: Camera::orbit(middle, yaw, 0.1, 3.5, 0.61, setting.size),
                     gain: DVec3::new(1.1, 0.85, 0.95),
                     whole: u64::from(pixels),
-                    picture: Arc::new(Picture {
+                    picture: Arc::new(ViewPicture {
                         size: setting.size,
                         pixels: (0..pixels).map(|_| noise(random)).collect(),
                         behind: (0..pixels).map(|_| noise(random)).collect(),
@@ -213,7 +213,7 @@ fn assert_same(what: &str, found: &[f32], expected: &[f64]) {
 }
 
 #[track_caller]
-fn assert_gradients(found: &Parameters<f32>, expected: &Parameters<f64>, layout: &Layout) {
+fn assert_gradients(found: &Parameters<f32>, expected: &Parameters<f64>, layout: &ParameterLayout) {
     let kinds = [
         ("rotation", 0..4),
         ("log scale", 4..7),
@@ -454,8 +454,14 @@ fn look() -> StepOptions {
 }
 
 /// A view of an avatar whose joints are elsewhere.
-fn posed(scene: &Scene, skeleton: &Skeleton, pose: &Pose, seen: &Pose, view: &View) -> View {
-    View {
+fn posed(
+    scene: &Scene,
+    skeleton: &Skeleton,
+    pose: &Pose,
+    seen: &Pose,
+    view: &TrainingView,
+) -> TrainingView {
+    TrainingView {
         joints: skeleton.matrices(pose),
         input: scene.avatar.inputs.unprojected(seen),
         gain: DVec3::ONE,
@@ -464,7 +470,7 @@ fn posed(scene: &Scene, skeleton: &Skeleton, pose: &Pose, seen: &Pose, view: &Vi
 }
 
 /// The scene's views with pictures of a pose.
-fn pictures(scene: &Scene, size: [u32; 2], truth: &Pose) -> Vec<View> {
+fn pictures(scene: &Scene, size: [u32; 2], truth: &Pose) -> Vec<TrainingView> {
     let options = look();
     let problem = scene.problem(&options);
     let numbers = scene.start.parameters.doubles();
@@ -472,8 +478,8 @@ fn pictures(scene: &Scene, size: [u32; 2], truth: &Pose) -> Vec<View> {
         let view = posed(scene, &scene.avatar.skeleton, truth, truth, view);
         let pixels = problem.forward(&numbers, &view).canvas.pixels;
         let byte = |v: f64, a: f64| (255.0 * v + (1.0 - a) * 128.0).round() as u8;
-        View {
-            picture: Arc::new(Picture {
+        TrainingView {
+            picture: Arc::new(ViewPicture {
                 size,
                 behind: vec![[128; 4]; pixels.len()],
                 pixels: pixels
@@ -520,7 +526,7 @@ fn bones_that_are_off_are_found_by_pictures() {
     let mut losses = Vec::new();
     for step in 0..120 {
         let own = refinement.skeleton(&off);
-        let looked: Vec<View> = pictures
+        let looked: Vec<TrainingView> = pictures
             .iter()
             .map(|view| posed(&scene, &own, &pose, &pose, view))
             .collect();
@@ -555,7 +561,7 @@ fn a_pose_that_is_off_is_found_by_its_pictures() {
     let mut losses = Vec::new();
     for step in 0..120 {
         let pose = refinement.pose(0, &off);
-        let looked: Vec<View> = pictures
+        let looked: Vec<TrainingView> = pictures
             .iter()
             .map(|view| posed(&scene, skeleton, &pose, &truth, view))
             .collect();
@@ -741,7 +747,7 @@ fn it_learns_what_another_avatar_looks_like() {
     let scene = Scene::new(6, SETTING);
     let problem = scene.problem(&LEARNING);
     let truth = scene.start.parameters.doubles();
-    let views: Vec<View> = scene
+    let views: Vec<TrainingView> = scene
         .views
         .iter()
         .map(|view| {
@@ -750,9 +756,9 @@ fn it_learns_what_another_avatar_looks_like() {
                 let byte = |v: f64| (255.0 * v + (1.0 - a) * 128.0).round() as u8;
                 [byte(r), byte(g), byte(b), 255]
             });
-            View {
+            TrainingView {
                 gain: DVec3::ONE,
-                picture: Arc::new(Picture {
+                picture: Arc::new(ViewPicture {
                     size: SETTING.size,
                     pixels: pixels.collect(),
                     behind: vec![[128; 4]; canvas.pixels.len()],

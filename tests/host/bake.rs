@@ -6,7 +6,7 @@ use effigy_core::avatar::{Avatar, Clip, Pose};
 use effigy_learn::bake::{
     self, Assets, BakeSizes, BodyShape, CutOptions, SourceError,
     source::obj::Obj,
-    source::rig::{self, Influence},
+    source::rig::{self, PointInfluence},
     source::target::MorphTarget,
 };
 use glam::DVec3;
@@ -125,7 +125,7 @@ fn a_rig_gives_joints_in_smplx_order_and_weights_that_sum_to_one() {
     assert!(
         (weights[0][0].weight - 0.75).abs() < 1e-12
             && weights[1]
-                == [Influence {
+                == [PointInfluence {
                     joint: 0,
                     weight: 1.0
                 }],
@@ -179,9 +179,9 @@ fn quantised_weights_sum_to_255() {
         &[(0, 1.0 / 3.0); 3],
     ];
     for case in cases {
-        let weights: Vec<Influence> = case
+        let weights: Vec<PointInfluence> = case
             .iter()
-            .map(|&(joint, weight)| Influence { joint, weight })
+            .map(|&(joint, weight)| PointInfluence { joint, weight })
             .collect();
         let bake::assemble::QuantisedWeights {
             joint: joints,

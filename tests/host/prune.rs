@@ -4,7 +4,7 @@ use crate::common::{self, Sizes};
 use effigy_core::avatar::{Avatar, Clip, motion::Player};
 use effigy_core::reference::{self, basis::corrective, mlp};
 use effigy_core::scene::{AvatarBounds, Camera, Orbit, Posed};
-use effigy_learn::prune::{Budget, prune};
+use effigy_learn::prune::{RowBudget, prune};
 use effigy_measure::similarity::similarity;
 use half::f16;
 use std::process::Command;
@@ -80,7 +80,7 @@ fn psnr(whole: &Avatar, pruned: &Avatar, clip: &Clip) -> f64 {
 fn what_varies_most_stays_and_the_rest_gets_its_mean() {
     let (avatar, clip) = model();
     let players = [Player::new(clip.clone(), &avatar.skeleton)];
-    let pruned = prune(&avatar, &players, Budget::Rows(150));
+    let pruned = prune(&avatar, &players, RowBudget::Rows(150));
     pruned.check().expect("it keeps the file's rules");
     assert_eq!(rows(&pruned), [150; 3]);
     assert_ne!(
@@ -123,20 +123,20 @@ fn what_varies_most_stays_and_the_rest_gets_its_mean() {
 fn what_images_show_is_worth_more_than_variance() {
     let (avatar, clip) = model();
     let players = [Player::new(clip.clone(), &avatar.skeleton)];
-    let each = prune(&avatar, &players, Budget::Rows(150));
-    let shown = prune(&avatar, &players, Budget::Contribution(450));
+    let each = prune(&avatar, &players, RowBudget::Rows(150));
+    let shown = prune(&avatar, &players, RowBudget::Contribution(450));
     assert_eq!(rows(&shown).iter().sum::<usize>(), 450);
-    let none = prune(&avatar, &players, Budget::Rows(0));
+    let none = prune(&avatar, &players, RowBudget::Rows(0));
     let [none, each, shown] = [&none, &each, &shown].map(|pruned| psnr(&avatar, pruned, &clip));
     println!("{none:.2} dB without, {each:.2} as many of each, {shown:.2} as images show");
     assert!(none < each && each < shown, "{none}, {each}, {shown} dB");
-    let share = prune(&avatar, &players, Budget::Variance(0.9));
+    let share = prune(&avatar, &players, RowBudget::Variance(0.9));
     assert!(
         (150..GAUSSIANS).contains(&rows(&share)[2]),
         "{:?} rows hold 90 % of the variance",
         rows(&share)
     );
-    let all = prune(&avatar, &players, Budget::Contribution(3 * GAUSSIANS));
+    let all = prune(&avatar, &players, RowBudget::Contribution(3 * GAUSSIANS));
     assert_eq!(all, avatar, "nothing to prune");
 }
 
@@ -171,7 +171,7 @@ fn the_command_prunes_by_clips_or_by_the_poses_of_the_training() {
     }
     let again = run("prune none.avatar --out o.avatar");
     assert!(!again.status.success());
-    let bare = prune(&avatar, &[], Budget::Rows(0));
+    let bare = prune(&avatar, &[], RowBudget::Rows(0));
     bare.write(&folder.path().join("bare.avatar"))
         .expect("it can be written");
     let output = run("prune bare.avatar --out o.avatar");

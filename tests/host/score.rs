@@ -2,7 +2,7 @@
 
 use crate::common::{self, Sizes};
 use effigy_capture::{
-    Capture, CaptureCamera, CaptureFrame, CaptureWriter, Influence, Picture, Template,
+    Capture, CaptureCamera, CaptureFrame, CaptureWriter, Picture, Template, VertexInfluence,
 };
 use effigy_core::{
     avatar::{Avatar, Pose},
@@ -10,7 +10,7 @@ use effigy_core::{
     scene::{AvatarBounds, Camera, FrameImage, Orbit, Posed},
 };
 use effigy_learn::score::{
-    Candidate, Ground, Region, Report, Scorer, View, ViewChoice, ViewScore, choose,
+    Ground, PictureIndex, Region, ScoreReport, ScoredImages, Scorer, ViewChoice, ViewScore, choose,
 };
 use effigy_perceptual::{Network, Perceptual};
 use glam::DVec3;
@@ -53,7 +53,7 @@ fn template(avatar: &Avatar) -> Template {
             template
                 .vertices
                 .push(at + DVec3::new(side(0), side(1), side(2)));
-            template.weights.push(vec![Influence {
+            template.weights.push(vec![VertexInfluence {
                 joint: joint as u8,
                 weight: 1.0,
             }]);
@@ -150,7 +150,7 @@ fn scores(scorer: &Scorer) -> Vec<ViewScore> {
         training: true,
     };
     let views = choose(scorer.capture, &choice);
-    let score = |view: &View| {
+    let score = |view: &PictureIndex| {
         let compared = scorer.compare(*view).expect("both pictures");
         scorer.named(*view, &compared.expect("a mask"))
     };
@@ -163,7 +163,7 @@ fn the_truth_itself_scores_high_and_a_changed_avatar_lower() {
     let capture = write(folder.path(), &avatar);
     let perceptual = Perceptual::random(Network::Alex, 1);
     let score = |avatar: &Avatar, ground| {
-        let candidate = Candidate::Avatar(avatar);
+        let candidate = ScoredImages::Avatar(avatar);
         scores(&Scorer::new(&capture, candidate, ground, Some(&perceptual)))
     };
     let own = score(&avatar, Ground::Truth);
@@ -217,8 +217,8 @@ fn the_truth_itself_scores_high_and_a_changed_avatar_lower() {
     let grey = score(&avatar, Ground::Color([0.5; 3]));
     assert!(grey[0].whole.psnr_db > 20.0 && grey[0].whole.psnr_db < own[0].whole.psnr_db);
     let protocol =
-        Scorer::new(&capture, Candidate::Avatar(&avatar), Ground::Truth, None).protocol();
-    let report = Report::new(protocol, other);
+        Scorer::new(&capture, ScoredImages::Avatar(&avatar), Ground::Truth, None).protocol();
+    let report = ScoreReport::new(protocol, other);
     assert_eq!(report.groups.len(), 4);
     assert_eq!(report.protocol.poses, "as given");
     assert!(serde_json::to_string(&report).is_ok());
@@ -248,13 +248,13 @@ fn pictures_of_another_program_score_as_the_avatar_does() {
     }
     let own = scores(&Scorer::new(
         &capture,
-        Candidate::Avatar(&avatar),
+        ScoredImages::Avatar(&avatar),
         Ground::Truth,
         None,
     ));
     let scorer = Scorer::new(
         &capture,
-        Candidate::Pictures(&pictures),
+        ScoredImages::Pictures(&pictures),
         Ground::Truth,
         None,
     );
@@ -263,7 +263,7 @@ fn pictures_of_another_program_score_as_the_avatar_does() {
         assert!(b.whole.psnr_db > 38.0, "{b:?}");
     }
     // One is of another size, one is missing, one has no alpha.
-    let view = View {
+    let view = PictureIndex {
         camera: 0,
         frame: 0,
     };
@@ -282,7 +282,7 @@ fn pictures_of_another_program_score_as_the_avatar_does() {
         error(&scorer)
     );
     let over = Ground::Color([0.0; 3]);
-    let opaque = Scorer::new(&capture, Candidate::Pictures(&pictures), over, None);
+    let opaque = Scorer::new(&capture, ScoredImages::Pictures(&pictures), over, None);
     assert!(opaque.compare(view).is_ok());
     std::fs::remove_file(&file).expect("it is there");
     assert!(error(&scorer).contains("cannot read"));

@@ -1,8 +1,8 @@
 //! AvatarReX: a folder a camera, with the masks inside.
 
-use super::layout::{Layout, digits};
+use super::layout::{FolderLayout, digits};
 
-pub const LAYOUT: Layout = Layout {
+pub const LAYOUT: FolderLayout = FolderLayout {
     name: "AvatarReX",
     calibration: "calibration_full.json",
     pictures: |camera| camera.to_owned(),

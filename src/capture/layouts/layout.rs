@@ -1,7 +1,7 @@
 //! What a layout is, and what several have in common.
 
 /// Where a layout has its files.
-pub struct Layout {
+pub struct FolderLayout {
     /// What the layout is called.
     pub name: &'static str,
     /// The file with all cameras, by which it is known.

@@ -4,17 +4,17 @@ mod avatarrex;
 mod layout;
 mod thuman4;
 
-pub use layout::{Layout, only_number};
+pub use layout::{FolderLayout, only_number};
 use std::path::Path;
 
 /// Every layout that is known.
-const ALL: [&Layout; 2] = [&thuman4::LAYOUT, &avatarrex::LAYOUT];
+const ALL: [&FolderLayout; 2] = [&thuman4::LAYOUT, &avatarrex::LAYOUT];
 
 /// The layout that is written.
-pub const OWN: &Layout = &thuman4::LAYOUT;
+pub const OWN: &FolderLayout = &thuman4::LAYOUT;
 
 /// The layout of a folder.
-pub fn of(folder: &Path) -> Option<&'static Layout> {
+pub fn of(folder: &Path) -> Option<&'static FolderLayout> {
     ALL.into_iter()
         .find(|layout| folder.join(layout.calibration).is_file())
 }

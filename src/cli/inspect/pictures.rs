@@ -1,7 +1,7 @@
 //! What a capture of pictures has that a training would learn from.
 
 use super::text::{line, thousands};
-use effigy_capture::{Capture, CaptureOptions, tally};
+use effigy_capture::{Capture, CaptureOpenOptions, tally};
 use effigy_train::data::training_shots;
 use serde::Serialize;
 use std::{collections::BTreeMap, fmt, path::Path};
@@ -57,7 +57,7 @@ impl PicturesSummary {
         let Some(layout) = Capture::layout(folder) else {
             return Ok(None);
         };
-        let options = CaptureOptions {
+        let options = CaptureOpenOptions {
             template: template.map(Path::to_owned),
         };
         let capture = Capture::read_with(folder, &options)?;

@@ -1,13 +1,13 @@
 //! The avatar from evenly spaced points and their looks.
 
 use crate::bake::bases::{Bases, PlacedPoint, retain_rows};
-use crate::bake::body::{Body, EXPRESSIONS, blend};
+use crate::bake::body::{BakedBody, EXPRESSIONS, blend};
 use crate::bake::credits::BODY_CREDIT;
 use crate::bake::networks::{BASIS, NetworkPlan, random_networks};
 use crate::bake::outfit::Outfit;
 use crate::bake::partition::partition;
 use crate::bake::sky_light::BakedSky;
-use crate::bake::source::rig::{BODY, Influence};
+use crate::bake::source::rig::{BODY, PointInfluence};
 use crate::bake::spacing::Dot;
 use crate::bake::stretch::Stretch;
 use crate::bake::surface::{Material, Sheet, Site};
@@ -59,7 +59,7 @@ struct GaussianPoint {
 /// Puts the avatar together. Features, pruning, PCA and the Gaussians' shapes are fitted to
 /// `poses`. `sheets`: what the dots are on.
 pub fn assemble(
-    body: &Body,
+    body: &BakedBody,
     outfit: &Outfit,
     sheets: &[Sheet],
     sky: &BakedSky,
@@ -110,7 +110,7 @@ pub fn assemble(
     // From here on in the order of the parts.
     let ordered: Vec<&GaussianPoint> = parts.order.iter().map(|&i| &points[i]).collect();
     let nearest: Vec<[u16; 3]> = parts.order.iter().map(|&i| nearest[i]).collect();
-    let retained = RetainedRows {
+    let retained = RowRetention {
         points: &ordered,
         covariances: &random.covariances,
         count: sizes.rows.min(points.len()),
@@ -155,7 +155,7 @@ fn assign_parts(
 }
 
 /// Chooses the basis rows that are retained: `count` of each attribute.
-struct RetainedRows<'a> {
+struct RowRetention<'a> {
     /// In the order of the parts.
     points: &'a [&'a GaussianPoint],
     /// Of each part's features.
@@ -163,7 +163,7 @@ struct RetainedRows<'a> {
     count: usize,
 }
 
-impl RetainedRows<'_> {
+impl RowRetention<'_> {
     /// `row`: a point's row of the attribute.
     fn of<const C: usize>(
         &self,
@@ -325,8 +325,8 @@ pub struct QuantisedWeights {
 
 impl QuantisedWeights {
     /// Joints with weights from 0 to 1.
-    fn exact(&self) -> [Influence; 4] {
-        std::array::from_fn(|k| Influence {
+    fn exact(&self) -> [PointInfluence; 4] {
+        std::array::from_fn(|k| PointInfluence {
             joint: self.joint[k],
             weight: f64::from(self.weight[k]) / 255.0,
         })
@@ -334,7 +334,7 @@ impl QuantisedWeights {
 }
 
 /// The four largest weights as bytes that sum to 255. `weights` fall.
-pub fn quantise(weights: &[Influence]) -> QuantisedWeights {
+pub fn quantise(weights: &[PointInfluence]) -> QuantisedWeights {
     let largest = &weights[..weights.len().min(4)];
     let sum: f64 = largest.iter().map(|influence| influence.weight).sum();
     let share = |k: usize| {

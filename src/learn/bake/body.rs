@@ -3,7 +3,7 @@
 
 use crate::bake::source::assets::Assets;
 use crate::bake::source::obj::Obj;
-use crate::bake::source::rig::{self, Bone, Influence, Influences, Place};
+use crate::bake::source::rig::{self, Influences, JointPlace, PointInfluence, RigBone};
 use crate::bake::source::target::MorphTarget;
 use crate::bake::source::text::{self, SourceError};
 use crate::bake::style::Style;
@@ -89,7 +89,7 @@ pub const EXPRESSIONS: [(&str, &[&str]); 10] = [
 
 /// The body in its rest pose, metres, soles of its shoes at y = 0.
 #[derive(Clone, Debug)]
-pub struct Body {
+pub struct BakedBody {
     /// Faces and groups; its positions are the shaped ones.
     pub obj: Obj,
     /// Joints in SMPL-X's order, then fingers.
@@ -100,7 +100,7 @@ pub struct Body {
     pub expressions: Vec<[DVec3; 10]>,
 }
 
-impl Body {
+impl BakedBody {
     /// Reads and shapes the body.
     ///
     /// # Errors
@@ -187,7 +187,7 @@ fn load_target(assets: &Assets, name: &str, vertices: usize) -> Result<MorphTarg
 }
 
 /// The weighted mean of joint matrices: linear blend skinning.
-pub fn blend(matrices: &[DAffine3], influences: &[Influence]) -> DAffine3 {
+pub fn blend(matrices: &[DAffine3], influences: &[PointInfluence]) -> DAffine3 {
     let mut sum = DAffine3 {
         matrix3: glam::DMat3::ZERO,
         translation: DVec3::ZERO,
@@ -231,21 +231,23 @@ fn center_of_group(obj: &Obj, group: &str) -> Option<DVec3> {
     (!vertices.is_empty()).then(|| sum / vertices.len() as f64)
 }
 
-fn skeleton(obj: &Obj, bones: &[Bone], file: &Path) -> Result<Skeleton, SourceError> {
-    let position = |bone: &Bone| match &bone.place {
-        Place::Vertices(list) => Ok(list
+fn skeleton(obj: &Obj, bones: &[RigBone], file: &Path) -> Result<Skeleton, SourceError> {
+    let position = |bone: &RigBone| match &bone.place {
+        JointPlace::Vertices(list) => Ok(list
             .iter()
             .map(|&v| obj.positions[v as usize])
             .sum::<DVec3>()
             / list.len() as f64),
-        Place::Group(group) => center_of_group(obj, group).ok_or_else(|| SourceError::Content {
-            file: file.to_path_buf(),
-            found: format!(
-                "bone {} at group \"{group}\", which the mesh lacks",
-                bone.name
-            ),
-            expected: "a group of base.obj".into(),
-        }),
+        JointPlace::Group(group) => {
+            center_of_group(obj, group).ok_or_else(|| SourceError::Content {
+                file: file.to_path_buf(),
+                found: format!(
+                    "bone {} at group \"{group}\", which the mesh lacks",
+                    bone.name
+                ),
+                expected: "a group of base.obj".into(),
+            })
+        }
     };
     let rest = bones
         .iter()

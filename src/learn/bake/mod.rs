@@ -30,7 +30,7 @@ pub mod style;
 pub mod surface;
 
 pub use assemble::BakeSizes;
-pub use body::{Body, BodyShape, Person};
+pub use body::{BakedBody, BodyShape, Person};
 pub use clip::{CutOptions, motion};
 use effigy_core::avatar::{Avatar, Clip, Pose, Skeleton};
 use glam::DVec3;
@@ -41,7 +41,7 @@ pub use style::Style;
 /// A dressed body without Gaussians.
 pub struct Clothed {
     /// The naked body.
-    pub body: Body,
+    pub body: BakedBody,
     /// The rules of its clothes.
     pub outfit: outfit::Outfit,
     /// Skin and garments, the innermost first.
@@ -54,8 +54,8 @@ pub struct Clothed {
 /// When a source file is missing or damaged.
 pub fn clothed(assets: &Assets, person: impl Into<Person>) -> Result<Clothed, SourceError> {
     let person = person.into();
-    let body = Body::load(assets, person.shape)?;
-    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, person);
+    let body = BakedBody::load(assets, person.shape)?;
+    let outfit = outfit::Outfit::new(&body, source::masks::SurfaceMasks::load(assets)?, person);
     Ok(Clothed {
         sheets: outfit::sheets(&outfit, &body),
         body,
@@ -127,5 +127,5 @@ fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, SourceError> 
 /// # Errors
 /// When a source file is missing or damaged.
 pub fn skeleton(assets: &Assets, shape: BodyShape) -> Result<Skeleton, SourceError> {
-    Ok(Body::load(assets, shape)?.skeleton)
+    Ok(BakedBody::load(assets, shape)?.skeleton)
 }

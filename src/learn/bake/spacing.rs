@@ -40,7 +40,7 @@ struct SheetTriangle {
 
 /// A dart, and where it hit.
 #[derive(Clone, Copy)]
-struct Hit {
+struct DartHit {
     sheet: usize,
     triangle: usize,
     barycentric: [f64; 3],
@@ -105,7 +105,7 @@ impl<'a> Thrower<'a> {
     }
 
     /// About `budget` darts, without those that hit nothing visible.
-    fn throw(&self, budget: f64) -> Vec<Hit> {
+    fn throw(&self, budget: f64) -> Vec<DartHit> {
         let weights: f64 = self.triangles.iter().map(|triangle| triangle.weight).sum();
         let scale = budget / weights.max(1e-12);
         self.triangles
@@ -116,7 +116,7 @@ impl<'a> Thrower<'a> {
     }
 
     /// Darts at one triangle, `scale` times its weight. `stream`: of the random numbers.
-    fn throw_at(&self, triangle: &SheetTriangle, stream: u64, scale: f64) -> Vec<Hit> {
+    fn throw_at(&self, triangle: &SheetTriangle, stream: u64, scale: f64) -> Vec<DartHit> {
         let mut random = Random::new(self.seed, stream);
         let number = (triangle.weight * scale + random.uniform()).floor() as usize;
         (0..number)
@@ -125,7 +125,7 @@ impl<'a> Thrower<'a> {
     }
 
     /// One dart; `None` if the place isn't visible, or, by chance, deserves fewer points.
-    fn throw_one(&self, at: &SheetTriangle, random: &mut Random) -> Option<Hit> {
+    fn throw_one(&self, at: &SheetTriangle, random: &mut Random) -> Option<DartHit> {
         let sheet = &self.sheets[at.sheet];
         let u = random.uniform().sqrt();
         let v = random.uniform();
@@ -133,7 +133,7 @@ impl<'a> Thrower<'a> {
         let site = sheet.site(at.triangle, barycentric);
         let density = self.outfit.density(&site);
         let hits = random.uniform() * at.peak < density && self.outfit.shows(&site);
-        hits.then_some(Hit {
+        hits.then_some(DartHit {
             sheet: at.sheet,
             triangle: at.triangle,
             barycentric,

@@ -7,7 +7,7 @@
 //! start closes those gaps without a corrective, whatever the pose is.
 
 use crate::bake::body::blend;
-use crate::bake::source::rig::Influence;
+use crate::bake::source::rig::PointInfluence;
 use crate::bake::spacing::Dot;
 use crate::bake::surface::Sheet;
 use effigy_core::avatar::{Pose, Skeleton};
@@ -82,7 +82,7 @@ impl<'a> Stretch<'a> {
         &self,
         dot: &Dot,
         tangents: [DVec3; 2],
-        influences: &[Influence],
+        influences: &[PointInfluence],
     ) -> StretchEllipse {
         let sheet = &self.sheets[dot.sheet];
         let triangle = sheet.triangles[dot.triangle];

@@ -1,7 +1,7 @@
 //! Triangle sheets (skin, each garment, hair), and points on them with everything that a Gaussian
 //! inherits.
 
-use crate::bake::body::Body;
+use crate::bake::body::BakedBody;
 use crate::bake::source::obj::Corner;
 use crate::bake::source::rig::{self, Influences};
 use glam::{DVec2, DVec3};
@@ -104,13 +104,13 @@ impl Site {
 
 impl Sheet {
     /// A sheet of one of the mesh's groups.
-    pub fn from_group(body: &Body, group: &str, material: Material) -> Self {
+    pub fn from_group(body: &BakedBody, group: &str, material: Material) -> Self {
         Self::from_triangles(body, body.obj.group(group).iter().copied(), material)
     }
 
     /// A sheet of some of the mesh's faces, with vertex normals.
     pub fn from_triangles(
-        body: &Body,
+        body: &BakedBody,
         faces: impl Iterator<Item = [Corner; 3]>,
         material: Material,
     ) -> Self {

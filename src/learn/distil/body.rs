@@ -15,7 +15,7 @@ use rayon::prelude::*;
 const OPACITY_ROWS: usize = 128;
 
 /// The avatar before it learns, and how much it loses of the checkpoint.
-pub struct Body {
+pub struct UntrainedAvatar {
     /// Neutral attributes are not set yet, nor are networks.
     pub avatar: Avatar,
     /// The checkpoint's index of each Gaussian.
@@ -37,14 +37,14 @@ pub fn plain_inputs(checkpoint: &Checkpoint) -> Inputs {
 }
 
 /// Four joints of a Gaussian.
-struct Skin {
+struct GaussianSkin {
     joint: [u8; 4],
     weight: [u8; 4],
     lost: f64,
 }
 
 /// The four largest weights, scaled to a sum of 255.
-fn skin(weights: &[f32]) -> Skin {
+fn skin(weights: &[f32]) -> GaussianSkin {
     let mut order: Vec<usize> = (0..weights.len()).collect();
     order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
     order.truncate(4);
@@ -63,7 +63,7 @@ fn skin(weights: &[f32]) -> Skin {
             f64::from(u8::from(at == 0))
         }
     };
-    Skin {
+    GaussianSkin {
         joint: std::array::from_fn(|at| order.get(at).map_or(0, |&joint| joint as u8)),
         weight: weight_bytes(std::array::from_fn(share)),
         lost: 1.0 - sum / all.max(1e-12),
@@ -76,7 +76,7 @@ struct Opacity {
     variance: f64,
 }
 
-impl Body {
+impl UntrainedAvatar {
     /// `means`: the mean features of every anchor over the `training` rows. `basis`: N_B.
     pub fn new(
         checkpoint: &Checkpoint,
@@ -90,7 +90,7 @@ impl Body {
         let positions = MeanPositions::new(checkpoint, means, &order);
         let bounds = Bounds::around(positions.gaussians.iter().chain(&positions.nodes));
         let joints = checkpoint.skeleton.len();
-        let skins: Vec<Skin> = order
+        let skins: Vec<GaussianSkin> = order
             .par_iter()
             .map(|&k| skin(&checkpoint.skin[k as usize * joints..][..joints]))
             .collect();

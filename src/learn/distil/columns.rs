@@ -8,21 +8,21 @@ use effigy_math::matrix::{MatrixView, multiply};
 use std::ops::Range;
 
 /// Columns of a Gaussian or a node, which blend the same anchors.
-pub struct Item {
+pub struct SharedColumns {
     /// Where its columns are.
     pub columns: Range<usize>,
-    /// The anchors that it blends, as indices into [`Columns::anchors`].
+    /// The anchors that it blends, as indices into [`ColumnSet::anchors`].
     pub shares: Vec<Share>,
 }
 
 /// The numbers of a part.
-pub struct Columns {
+pub struct ColumnSet {
     /// Anchors that any item blends, in rising order.
     pub anchors: Vec<usize>,
     /// The features of each anchor that count; B of them.
     pub features: Range<usize>,
     /// Gaussians or nodes, in order.
-    pub items: Vec<Item>,
+    pub items: Vec<SharedColumns>,
     /// What a unit of each feature adds, shape columns, B.
     pub matrix: Vec<f32>,
     /// At the anchors' mean features, length columns.
@@ -39,7 +39,7 @@ pub struct Attribute<'a> {
     pub scale: f32,
 }
 
-impl Columns {
+impl ColumnSet {
     /// None yet, of items whose features are these of each anchor's.
     pub fn new(features: Range<usize>) -> Self {
         Self {
@@ -101,7 +101,7 @@ impl Columns {
             ..share
         });
         let shares = shares.collect();
-        self.items.push(Item {
+        self.items.push(SharedColumns {
             columns: start..self.mean.len(),
             shares,
         });

@@ -1,8 +1,8 @@
 //! How like its teacher an avatar is: numbers of its Gaussians, and images by the f64 reference.
 
-use crate::distil::body::Body;
-use crate::distil::samples::Samples;
-use crate::distil::teacher::{AnchorFeatures, Look, Teacher};
+use crate::distil::body::UntrainedAvatar;
+use crate::distil::samples::InputSamples;
+use crate::distil::teacher::{AnchorFeatures, Teacher, TeacherAppearance};
 use crate::likeness::{camera_at, neutral};
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::reference::{self, basis::corrective, nodes::displacement, project};
@@ -72,8 +72,8 @@ pub struct Likeness {
 pub fn judge(
     teacher: &Teacher,
     features: &AnchorFeatures,
-    samples: &Samples,
-    body: &Body,
+    samples: &InputSamples,
+    body: &UntrainedAvatar,
     avatar: &Avatar,
 ) -> Likeness {
     let judge = Judge {
@@ -104,8 +104,8 @@ pub fn judge(
 struct Judge<'a, 'c, 'p> {
     teacher: &'a Teacher<'c, 'p>,
     features: &'a AnchorFeatures,
-    samples: &'a Samples,
-    body: &'a Body,
+    samples: &'a InputSamples,
+    body: &'a UntrainedAvatar,
     avatar: &'a Avatar,
     neutral: &'a Avatar,
     bounds: AvatarBounds,
@@ -113,7 +113,7 @@ struct Judge<'a, 'c, 'p> {
 
 /// Sums of squares.
 #[derive(Default)]
-struct Sums {
+struct ErrorSums {
     position: f64,
     axes: f64,
     log_scale: f64,
@@ -125,7 +125,7 @@ struct Sums {
 impl Judge<'_, '_, '_> {
     /// Of some poses, indices into the samples'.
     fn difference(&self, poses: &[usize]) -> Difference {
-        let mut sums = Sums::default();
+        let mut sums = ErrorSums::default();
         let compared = evenly_spaced(poses, POSES);
         for &pose in &compared {
             let look = self.teacher.look(self.features, 2 * pose);
@@ -139,7 +139,7 @@ impl Judge<'_, '_, '_> {
             let pose = &self.samples.poses[pose];
             psnr.extend(self.image(&look, pose, YAWS[at % IMAGES], self.avatar));
             neutral.extend(self.image(&look, pose, YAWS[at % IMAGES], self.neutral));
-            let look = Look {
+            let look = TeacherAppearance {
                 harmonics: vec![],
                 ..look
             };
@@ -162,7 +162,7 @@ impl Judge<'_, '_, '_> {
     }
 
     /// Adds what all Gaussians differ by in a pose.
-    fn add(&self, look: &Look, pose: &Pose, sums: &mut Sums) {
+    fn add(&self, look: &TeacherAppearance, pose: &Pose, sums: &mut ErrorSums) {
         let avatar = self.avatar;
         let input = avatar.inputs.from_pose(pose);
         let features = reference::mlp::features(avatar, &input);
@@ -195,7 +195,13 @@ impl Judge<'_, '_, '_> {
     }
 
     /// PSNR of an avatar's image in a pose, dB.
-    fn image(&self, look: &Look, pose: &Pose, yaw: f64, avatar: &Avatar) -> Option<f64> {
+    fn image(
+        &self,
+        look: &TeacherAppearance,
+        pose: &Pose,
+        yaw: f64,
+        avatar: &Avatar,
+    ) -> Option<f64> {
         let posed = Posed::new(avatar, pose);
         let camera = camera_at(&self.bounds, &posed, yaw, PITCH, SIZE);
         let truth = self.teacher.posed(look, pose, camera.eye());

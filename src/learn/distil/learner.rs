@@ -2,7 +2,7 @@
 
 use crate::distil::inputs::NetworkInputs;
 use crate::distil::network::{
-    LAYERS, LayerWidths, Network, QuadraticLoss, Scratch, StepSize, WIDTH, layer_start,
+    LAYERS, LayerWidths, QuadraticLoss, Scratch, StepSize, StudentNetwork, WIDTH, layer_start,
 };
 use effigy_core::avatar::{Activation, Avatar, Layer, Networks};
 use effigy_core::random::{Random, hash};
@@ -25,7 +25,7 @@ const DECAY: f32 = 0.05;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Learner {
     /// One a part.
-    pub networks: Vec<Network>,
+    pub networks: Vec<StudentNetwork>,
     /// One a part.
     pub targets: Vec<QuadraticLoss>,
     /// The number that each part's target was divided by, so that its loss is about 1 at first.
@@ -61,7 +61,7 @@ impl Learner {
         let parts = avatar.parts.len();
         Self {
             networks: (0..parts)
-                .map(|part| Network::random(widths, seed, part as u64))
+                .map(|part| StudentNetwork::random(widths, seed, part as u64))
                 .collect(),
             targets: vec![QuadraticLoss::default(); parts],
             scales: vec![1.0; parts],
@@ -170,7 +170,8 @@ impl Learner {
     pub fn features(&self, part: usize, inputs: &NetworkInputs) -> Vec<f32> {
         let widths = self.networks[part].widths;
         let weights = self.folded_weights(part, inputs);
-        let stored = Network::with_weights(widths, weights.iter().map(|w| w.to_f32()).collect());
+        let stored =
+            StudentNetwork::with_weights(widths, weights.iter().map(|w| w.to_f32()).collect());
         let frames = inputs.projected.len() / inputs.width.max(1);
         let mut scratch = Scratch::new(&widths, frames);
         stored
@@ -204,7 +205,7 @@ impl Learner {
         groups: [&[usize]; N],
     ) -> [f64; N] {
         #[derive(Clone, Copy)]
-        struct Sums {
+        struct FeatureSums {
             loss: f64,
             energy: f64,
         }
@@ -219,13 +220,13 @@ impl Learner {
                     .map(|&f| f64::from(target.loss(f, &features[f * width..][..width])))
                     .sum();
                 let energy: f64 = frames.iter().map(|&f| f64::from(target.energy[f])).sum();
-                Sums {
+                FeatureSums {
                     loss: scale * loss,
                     energy: scale * energy,
                 }
             })
         };
-        let sums: Vec<[Sums; N]> = (0..self.networks.len())
+        let sums: Vec<[FeatureSums; N]> = (0..self.networks.len())
             .into_par_iter()
             .map(part_sums)
             .collect();
@@ -240,7 +241,7 @@ impl Learner {
 /// One part with everything that its training needs.
 struct PartTraining<'a> {
     part: usize,
-    network: &'a mut Network,
+    network: &'a mut StudentNetwork,
     target: &'a QuadraticLoss,
     gains: &'a [f32],
     inputs: &'a NetworkInputs,

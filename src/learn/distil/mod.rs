@@ -28,8 +28,8 @@ mod solve;
 mod students;
 mod teacher;
 
-pub use body::{Body, plain_inputs};
+pub use body::{UntrainedAvatar, plain_inputs};
 pub use judge::{Difference, Likeness};
 pub use samples::SampleOptions;
-pub use students::{DistilOptions, Distilled, MIN_POSES, Progress, distil};
-pub use teacher::{AnchorFeatures, Look, Teacher};
+pub use students::{DistilOptions, DistilProgress, Distilled, MIN_POSES, distil};
+pub use teacher::{AnchorFeatures, Teacher, TeacherAppearance};

@@ -19,7 +19,7 @@ pub type LayerWidths = [usize; LAYERS + 1];
 
 /// A network with Adam's moments.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Network {
+pub struct StudentNetwork {
     /// The width of every layer.
     pub widths: LayerWidths,
     /// Layer by layer: weights, shape (output, input), then biases.
@@ -125,7 +125,7 @@ fn layer_inputs<'a>(
     }
 }
 
-impl Network {
+impl StudentNetwork {
     /// A network with He's random weights. `part` gives each part of an avatar weights of its own.
     pub fn random(widths: LayerWidths, seed: u64, part: u64) -> Self {
         // Other uses of the seed draw from other streams.
@@ -310,7 +310,7 @@ mod tests {
     const BATCH: [u32; 6] = [0, 1, 2, 3, 4, 5];
 
     struct Setting {
-        network: Network,
+        network: StudentNetwork,
         inputs: Vec<f32>,
         target: QuadraticLoss,
     }
@@ -330,7 +330,7 @@ mod tests {
             energy: vec![30.0; 6],
         };
         Setting {
-            network: Network::random(widths, 1, 2),
+            network: StudentNetwork::random(widths, 1, 2),
             inputs,
             target,
         }
@@ -344,7 +344,7 @@ mod tests {
             target,
         } = setting();
         let mut scratch = Scratch::new(&network.widths, 6);
-        let loss = |network: &Network, scratch: &mut Scratch| -> f64 {
+        let loss = |network: &StudentNetwork, scratch: &mut Scratch| -> f64 {
             let e = network.forward(&inputs, 6, scratch).to_vec();
             (0..6)
                 .map(|f| f64::from(target.loss(f, &e[f * 4..][..4])))

@@ -29,7 +29,7 @@ pub struct SampleOptions {
 }
 
 /// Rows of inputs, and which are learned.
-pub struct Samples {
+pub struct InputSamples {
     /// The avatar's inputs, with the principal components of the training poses.
     pub inputs: Inputs,
     /// Training poses. Row 2 k is pose k projected, row 2 k + 1 as it is.
@@ -46,7 +46,7 @@ pub struct Samples {
     pub held_rows: Vec<usize>,
 }
 
-impl Samples {
+impl InputSamples {
     /// Chooses poses of a training sequence. `plain`: the avatar's inputs without components.
     pub fn new(plain: &Inputs, sequence: &[Pose], options: &SampleOptions) -> Self {
         let all: Vec<usize> = (0..sequence.len()).collect();
@@ -113,7 +113,7 @@ mod tests {
             between: 7,
             seed: 1,
         };
-        let samples = Samples::new(&plain, &sequence, &options);
+        let samples = InputSamples::new(&plain, &sequence, &options);
         assert_eq!(
             samples.held,
             [

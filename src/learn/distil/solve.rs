@@ -9,7 +9,7 @@
 //! For given features e of mean 0 and covariance E, the best basis is C T, T = mean(Δ eᵀ) E⁻¹.
 
 use crate::distil::basis::{HalfLoss, Solution, center};
-use crate::distil::columns::Columns;
+use crate::distil::columns::ColumnSet;
 use crate::distil::teacher::AnchorFeatures;
 use effigy_math::matrix::{Eigen, MatrixView, cholesky, eigen, inverse, multiply, multiply_f64};
 use half::f16;
@@ -22,7 +22,7 @@ const RIDGE: f64 = 1e-5;
 /// A part's columns with what follows from the rows of inputs.
 pub struct PartProblem<'a> {
     /// The columns.
-    pub columns: Columns,
+    pub columns: ColumnSet,
     /// Δ, shape rows, m.
     deviations: Vec<f32>,
     /// Q, shape m, m.
@@ -34,7 +34,7 @@ pub struct PartProblem<'a> {
 impl<'a> PartProblem<'a> {
     /// Of columns whose means are those of `training` rows.
     pub fn new(
-        columns: Columns,
+        columns: ColumnSet,
         features: &AnchorFeatures,
         means: &[Vec<f32>],
         training: &'a [usize],

@@ -3,14 +3,14 @@
 //! and networks learn on; rows are pruned and networks learn on; bases are solved a last time.
 
 use crate::distil::basis::{HalfLoss, Solution, join};
-use crate::distil::body::{Body, plain_inputs};
-use crate::distil::columns::{Attribute, Columns};
+use crate::distil::body::{UntrainedAvatar, plain_inputs};
+use crate::distil::columns::{Attribute, ColumnSet};
 use crate::distil::judge::{Likeness, judge};
 use crate::distil::learner::{Learner, StageSchedule};
-use crate::distil::samples::{SampleOptions, Samples};
+use crate::distil::samples::{InputSamples, SampleOptions};
 use crate::distil::solve::PartProblem;
 use crate::distil::teacher::{AnchorFeatures, Teacher};
-use crate::prune::{Budget, RetainedRows, RowSubject, WIDTHS, select_rows};
+use crate::prune::{RetainedRows, RowBudget, RowSubject, WIDTHS, select_rows};
 use effigy_core::avatar::{Avatar, Matrix, Pose, Rows};
 use effigy_core::io::file::FormatError;
 use effigy_formats::mmlphuman::Checkpoint;
@@ -30,7 +30,7 @@ const ATTRIBUTE_SHARES: [f64; 3] = [0.2, 0.2, 0.6];
 const NODE_SHARE: f64 = 0.5;
 
 /// Called with the epochs done and the name of the next step.
-pub type Progress<'a> = &'a (dyn Fn(usize, &str) + Sync);
+pub type DistilProgress<'a> = &'a (dyn Fn(usize, &str) + Sync);
 
 /// How to distil.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +42,7 @@ pub struct DistilOptions {
     /// Times that networks see each row, over all stages.
     pub epochs: usize,
     /// Rows to retain.
-    pub budget: Budget,
+    pub budget: RowBudget,
     /// Decides the first weights and the order of rows.
     pub seed: u64,
 }
@@ -66,7 +66,7 @@ pub fn distil(
     name: &str,
     trained: &[Pose],
     options: &DistilOptions,
-    progress: Progress,
+    progress: DistilProgress,
 ) -> Result<Distilled, FormatError> {
     let sequence: Vec<Pose> = checkpoint.poses.iter().chain(trained).cloned().collect();
     if sequence.len() < MIN_POSES {
@@ -78,7 +78,7 @@ pub fn distil(
         ));
     }
     progress(0, "choosing poses");
-    let samples = Samples::new(&plain_inputs(checkpoint), &sequence, &options.samples);
+    let samples = InputSamples::new(&plain_inputs(checkpoint), &sequence, &options.samples);
     let count = checkpoint.networks.count;
     let features = AnchorFeatures::new(&checkpoint.networks, &samples.rows.raw, &|done| {
         progress(0, &format!("asking network {done} of {count}"))
@@ -102,11 +102,11 @@ pub fn distil(
 /// Everything that stays the same while networks learn.
 struct Students<'a> {
     checkpoint: &'a Checkpoint<'a>,
-    samples: &'a Samples,
+    samples: &'a InputSamples,
     features: &'a AnchorFeatures,
     /// Of each anchor over the training rows.
     means: Vec<Vec<f32>>,
-    body: Body,
+    body: UntrainedAvatar,
     /// Nodes of each part.
     nodes: Vec<Vec<usize>>,
     /// 1 / length of each Gaussian's mean quaternion; the checkpoint's order.
@@ -122,7 +122,7 @@ struct Students<'a> {
 
 /// A part's attributes, ready to be learned.
 struct PartColumns {
-    columns: Columns,
+    columns: ColumnSet,
     /// The factor of each column.
     weights: Vec<f32>,
     /// The avatar's Gaussians that have columns, for each attribute.
@@ -141,12 +141,13 @@ impl<'a> Students<'a> {
     fn new(
         checkpoint: &'a Checkpoint<'a>,
         name: &str,
-        samples: &'a Samples,
+        samples: &'a InputSamples,
         features: &'a AnchorFeatures,
         basis: usize,
     ) -> Self {
         let means = features.means(&samples.training);
-        let body = Body::new(checkpoint, name, features, &means, &samples.training, basis);
+        let body =
+            UntrainedAvatar::new(checkpoint, name, features, &means, &samples.training, basis);
         let mut nodes = vec![Vec::new(); body.avatar.parts.len()];
         for (node, &part) in body.avatar.nodes.part.iter().enumerate() {
             nodes[usize::from(part)].push(node);
@@ -224,7 +225,7 @@ impl<'a> Students<'a> {
             attributes.map(|parts| parts.iter().flat_map(|part| &part.mean).copied().collect());
     }
 
-    fn problem<'b>(&self, columns: Columns, training: &'b [usize]) -> PartProblem<'b> {
+    fn problem<'b>(&self, columns: ColumnSet, training: &'b [usize]) -> PartProblem<'b> {
         PartProblem::new(columns, self.features, &self.means, training)
     }
 
@@ -239,7 +240,7 @@ impl<'a> Students<'a> {
         } = self.checkpoint;
         let range = self.body.avatar.parts.gaussians(part);
         let retained: [Vec<u32>; 3] = std::array::from_fn(|a| retained.within(a, &range));
-        let mut columns = Columns::new(0..*basis);
+        let mut columns = ColumnSet::new(0..*basis);
         let mut weights = Vec::new();
         let basis_of =
             |all: fn(&effigy_formats::mmlphuman::AttributeBases) -> &[f32], k: usize, c: usize| {
@@ -287,14 +288,14 @@ impl<'a> Students<'a> {
     }
 
     /// The columns of a part's nodes: displacements about their means, which the body has already.
-    fn node_columns(&self, part: usize) -> Columns {
+    fn node_columns(&self, part: usize) -> ColumnSet {
         let Checkpoint {
             nodes,
             basis,
             node_basis,
             ..
         } = self.checkpoint;
-        let mut columns = Columns::new(*basis..basis + node_basis);
+        let mut columns = ColumnSet::new(*basis..basis + node_basis);
         for &node in &self.nodes[part] {
             let own = nodes.basis.as_ref();
             let attribute = Attribute {
@@ -319,7 +320,7 @@ impl<'a> Students<'a> {
 
     fn solve_part(&self, learner: &Learner, retained: &RetainedRows, part: usize) -> PartSolution {
         let features = learner.features(part, &self.samples.rows);
-        let solve = |columns: Columns, first: usize, weights: &[f32]| {
+        let solve = |columns: ColumnSet, first: usize, weights: &[f32]| {
             let problem = self.problem(columns, &self.samples.training);
             problem.solve(&features, 2 * self.basis, first, self.basis, weights)
         };
@@ -401,7 +402,7 @@ impl<'a> Students<'a> {
     }
 
     /// Runs the stages. Returns the avatar and its networks.
-    fn learn(&self, options: &DistilOptions, progress: Progress) -> (Avatar, Learner) {
+    fn learn(&self, options: &DistilOptions, progress: DistilProgress) -> (Avatar, Learner) {
         let mut learner = Learner::new(
             &self.body.avatar,
             &self.samples.rows,
@@ -420,7 +421,7 @@ impl<'a> Students<'a> {
             learner.set_target(part, target, &self.samples.training);
         }
         drop(targets);
-        let mut run = Run {
+        let mut run = StageRun {
             students: self,
             options,
             progress,
@@ -462,15 +463,15 @@ fn rows<const C: usize>(parts: &[PartSolution], attribute: usize, basis: Vec<f16
 }
 
 /// Stages that follow one another.
-struct Run<'a> {
+struct StageRun<'a> {
     students: &'a Students<'a>,
     options: &'a DistilOptions,
-    progress: Progress<'a>,
+    progress: DistilProgress<'a>,
     /// Epochs of all stages so far.
     done: usize,
 }
 
-impl Run<'_> {
+impl StageRun<'_> {
     /// Lets all networks learn for some epochs.
     fn stage(&mut self, learner: &mut Learner, stage: usize, epochs: usize) {
         for network in &mut learner.networks {

@@ -146,7 +146,7 @@ fn evaluate(
 
 /// What Gaussians look like in the canonical pose, before skinning, for one row of inputs.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Look {
+pub struct TeacherAppearance {
     /// Metres.
     pub position: Vec<DVec3>,
     /// Quaternion w x y z, of any length.
@@ -227,7 +227,7 @@ impl Teacher<'_, '_> {
     }
 
     /// What every Gaussian looks like for a row of features, in f64.
-    pub fn look(&self, features: &AnchorFeatures, row: usize) -> Look {
+    pub fn look(&self, features: &AnchorFeatures, row: usize) -> TeacherAppearance {
         let Checkpoint {
             gaussians,
             gaussian_anchors,
@@ -250,7 +250,7 @@ impl Teacher<'_, '_> {
         let e: Vec<Vec<f64>> = (0..count).into_par_iter().map(features_of).collect();
         let bases = |k: usize| bases.as_ref().map(|bases| (bases, &e[k][..]));
         let plain = 0..count;
-        Look {
+        TeacherAppearance {
             position: plain
                 .clone()
                 .map(|k| {
@@ -324,7 +324,12 @@ impl Teacher<'_, '_> {
 
     /// The Gaussians of a look in a pose, as a camera at `eye` sees them. Opacity is rounded to 8
     /// bits.
-    pub fn posed(&self, look: &Look, pose: &Pose, eye: DVec3) -> Vec<project::Gaussian> {
+    pub fn posed(
+        &self,
+        look: &TeacherAppearance,
+        pose: &Pose,
+        eye: DVec3,
+    ) -> Vec<project::Gaussian> {
         let skinning = self.skinning(pose);
         let gaussian = |k: usize| {
             let g = &skinning[k];

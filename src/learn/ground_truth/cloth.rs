@@ -9,7 +9,7 @@
 //! number of rounds from the mushed shape, without history, so that a pose has one shape.
 
 use crate::bake::surface::Material;
-use crate::ground_truth::mesh::Mesh;
+use crate::ground_truth::mesh::SheetMesh;
 use effigy_math::noise::fractal_noise;
 use glam::{DMat3, DVec3};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
@@ -60,7 +60,7 @@ fn is_cloth(material: Material) -> bool {
 
 impl Settling {
     /// Measures the mesh's rest pose.
-    pub fn new(mesh: &Mesh) -> Self {
+    pub fn new(mesh: &SheetMesh) -> Self {
         let smooth = mesh.smoothed(&mesh.rest, SMOOTHING_ROUNDS);
         let frames = vertex_frames(mesh, &smooth);
         let detail = (0..smooth.len())
@@ -73,7 +73,7 @@ impl Settling {
     }
 
     /// The settled shape of a skinned one.
-    pub fn settle(&self, mesh: &Mesh, skinned: &[DVec3]) -> Vec<DVec3> {
+    pub fn settle(&self, mesh: &SheetMesh, skinned: &[DVec3]) -> Vec<DVec3> {
         let smooth = mesh.smoothed(skinned, SMOOTHING_ROUNDS);
         let frames = vertex_frames(mesh, &smooth);
         let mut shape: Vec<DVec3> = (0..smooth.len())
@@ -105,7 +105,7 @@ impl Settling {
     }
 }
 
-fn cloth_vertices(mesh: &Mesh) -> Vec<ClothVertex> {
+fn cloth_vertices(mesh: &SheetMesh) -> Vec<ClothVertex> {
     let flesh: Vec<u32> = (0..mesh.rest.len() as u32)
         .filter(|&v| mesh.material[v as usize] == Material::Skin)
         .collect();
@@ -140,7 +140,13 @@ fn cloth_vertices(mesh: &Mesh) -> Vec<ClothVertex> {
 impl ClothVertex {
     /// The position after one round. `mushed`: the position to hang on. `normals` are those of the
     /// mushed shape.
-    fn relaxed(&self, mesh: &Mesh, mushed: DVec3, shape: &[DVec3], normals: &[DVec3]) -> DVec3 {
+    fn relaxed(
+        &self,
+        mesh: &SheetMesh,
+        mushed: DVec3,
+        shape: &[DVec3],
+        normals: &[DVec3],
+    ) -> DVec3 {
         let p = shape[self.vertex as usize];
         let neighbours = &mesh.neighbours[self.vertex as usize];
         let mut correction = DVec3::ZERO;
@@ -174,7 +180,7 @@ impl ClothVertex {
 
 /// A frame at each vertex of a shape: the normal, the direction of the first edge in the tangent
 /// plane, and their cross product.
-fn vertex_frames(mesh: &Mesh, positions: &[DVec3]) -> Vec<DMat3> {
+fn vertex_frames(mesh: &SheetMesh, positions: &[DVec3]) -> Vec<DMat3> {
     let normals = mesh.normals(positions);
     let frame = |v: usize| {
         let normal = normals[v];

@@ -8,7 +8,7 @@
 //! 2001).
 
 use crate::bake::sky::{direction, radiance};
-use crate::ground_truth::mesh::Mesh;
+use crate::ground_truth::mesh::SheetMesh;
 use glam::{DVec3, Vec3A};
 use obvhs::{
     BvhBuildParams, cwbvh::CwBvh, cwbvh::builder::build_cwbvh_from_tris, ray::Ray,
@@ -95,7 +95,7 @@ impl TracedSky {
     /// The light at the vertices listed in `lit`; the others stay dark.
     pub fn light(
         &self,
-        mesh: &Mesh,
+        mesh: &SheetMesh,
         positions: &[DVec3],
         normals: &[DVec3],
         lit: &[u32],

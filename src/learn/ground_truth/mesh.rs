@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// All sheets as one mesh, in the rest pose; lengths in metres. Lists are indexed by vertex unless
 /// they say otherwise.
-pub struct Mesh {
+pub struct SheetMesh {
     /// Positions in the rest pose.
     pub rest: Vec<DVec3>,
     /// Skin weights.
@@ -32,12 +32,12 @@ pub struct Mesh {
     pub sheets: Vec<SheetStart>,
 }
 
-/// Where a sheet begins in a [`Mesh`].
+/// Where a sheet begins in a [`SheetMesh`].
 #[derive(Clone, Copy, Debug)]
 pub struct SheetStart {
     /// An index into the lists by vertex.
     pub first_vertex: usize,
-    /// An index into [`Mesh::triangles`].
+    /// An index into [`SheetMesh::triangles`].
     pub first_triangle: usize,
 }
 
@@ -49,7 +49,7 @@ pub struct Skinned {
     pub turns: Vec<DMat3>,
 }
 
-impl Mesh {
+impl SheetMesh {
     /// Joins the sheets of a dressed body.
     pub fn new(sheets: &[Sheet], outfit: &Outfit) -> Self {
         let mut mesh = Self {

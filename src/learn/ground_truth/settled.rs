@@ -1,9 +1,9 @@
 //! The body's mesh in a pose: skinned, settled and lit.
 
-use crate::bake::Body;
+use crate::bake::BakedBody;
 use crate::ground_truth::cloth::Settling;
 use crate::ground_truth::light::{RadianceSh, TracedSky};
-use crate::ground_truth::mesh::{Mesh, Skinned};
+use crate::ground_truth::mesh::{SheetMesh, Skinned};
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
@@ -13,7 +13,7 @@ pub struct SettledBody {
     skeleton: Skeleton,
     to_canonical: Vec<DAffine3>,
     /// In the rest pose.
-    pub mesh: Mesh,
+    pub mesh: SheetMesh,
     settling: Settling,
     sky: TracedSky,
 }
@@ -27,13 +27,13 @@ pub struct PosedMesh {
     pub settled: Vec<DVec3>,
     /// The deformation from the skinned to the settled shape, one a vertex.
     pub gradients: Vec<DMat3>,
-    /// What arrives; dark where it was not asked for.
+    /// What arrives; dark where it was not computed.
     pub light: Vec<RadianceSh>,
 }
 
 impl SettledBody {
     /// `rays`: rays traced per vertex for its light.
-    pub fn new(body: &Body, mesh: Mesh, rays: usize) -> Self {
+    pub fn new(body: &BakedBody, mesh: SheetMesh, rays: usize) -> Self {
         Self {
             skeleton: body.skeleton.clone(),
             to_canonical: body.to_canonical(),

@@ -1,6 +1,6 @@
 //! A level's arrays from what was merged.
 
-use super::merge::{Axes, Blob, area};
+use super::merge::{Blob, CovarianceAxes, area};
 use effigy_core::avatar::{Avatar, Gaussians, Level, Matrix, Rows, ShCoefficients, matrix::Row};
 use effigy_core::reference::{basis::combine, mlp, project};
 use effigy_math::weights::weight_bytes;
@@ -32,7 +32,7 @@ pub fn blobs(avatar: &Avatar, seen: &[f64], posed: &[Vec<DVec3>]) -> Vec<Vec<Blo
 }
 
 /// A member of a merged Gaussian and its share of the mass.
-struct Member {
+struct MergedMember {
     gaussian: usize,
     share: f64,
 }
@@ -41,14 +41,14 @@ struct Member {
 struct Members {
     /// Opacity times area, m²: the sum of theirs.
     mass: f64,
-    all: Vec<Member>,
+    all: Vec<MergedMember>,
 }
 
 impl Members {
     fn new(avatar: &Avatar, members: &[u32]) -> Self {
         let masses: Vec<f64> = members.iter().map(|&k| mass(avatar, k as usize)).collect();
         let sum: f64 = masses.iter().sum();
-        let member = |(&gaussian, mass): (&u32, &f64)| Member {
+        let member = |(&gaussian, mass): (&u32, &f64)| MergedMember {
             gaussian: gaussian as usize,
             share: if sum > 0.0 {
                 mass / sum
@@ -178,7 +178,7 @@ fn half<const N: usize>(numbers: [f64; N]) -> [f16; N] {
 fn merged(avatar: &Avatar, members: &Members) -> Merged {
     let gaussians = &avatar.gaussians;
     let mean = members.mean(|k| avatar.position(k));
-    let axes = Axes::new(members.covariance(avatar, mean));
+    let axes = CovarianceAxes::new(members.covariance(avatar, mean));
     let deviations = DVec3::from(axes.variance.to_array().map(|v| v.sqrt().max(THINNEST)));
     let rotation = DQuat::from_mat3(&axes.rotation);
     let color = members.mean(|k| DVec3::from(gaussians.color[k].map(f64::from)));
@@ -335,7 +335,7 @@ fn mean_rows(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::levels::merge::Hierarchy;
+    use crate::levels::merge::MergeTree;
 
     #[test]
     fn the_heaviest_stay_with_a_sum_of_1() {
@@ -361,7 +361,7 @@ mod tests {
     fn what_is_merged_keeps_its_mass_and_is_a_valid_level() {
         let avatar = effigy_demo::avatar().expect("inside the program");
         let seen = vec![1.0; avatar.gaussians.len()];
-        let mut hierarchy = Hierarchy::new(blobs(&avatar, &seen, &[]), 1.7);
+        let mut hierarchy = MergeTree::new(blobs(&avatar, &seen, &[]), 1.7);
         let count = avatar.gaussians.len() / 4;
         hierarchy.merge_to(count);
         let level = level(&avatar, hierarchy.parts(), 50);

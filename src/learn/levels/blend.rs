@@ -1,7 +1,7 @@
 //! Blending of splats into small images, near to far, with its derivatives (docs/model.md, step
 //! 10). One thread draws an image; images are drawn side by side.
 
-use super::splats::{Splat, SplatGradient};
+use super::splats::{LevelSplat, LevelSplatGradient};
 use effigy_core::constants::{ALPHA_MAX, ALPHA_MIN};
 use effigy_core::scene::FrameImage;
 use glam::{Vec2, Vec3, Vec4};
@@ -45,7 +45,7 @@ struct RowSpan {
 }
 
 /// The rows that a splat may be visible in.
-fn rows(splat: &Splat, height: usize) -> Range<usize> {
+fn rows(splat: &LevelSplat, height: usize) -> Range<usize> {
     pixels(splat.center.y, splat.radius.y, height)
 }
 
@@ -58,7 +58,7 @@ fn pixels(center: f32, radius: f32, length: usize) -> Range<usize> {
 }
 
 /// The part of a row in which a splat is visible.
-fn span(splat: &Splat, y: usize, width: usize) -> RowSpan {
+fn span(splat: &LevelSplat, y: usize, width: usize) -> RowSpan {
     let [a, b, c] = splat.inverse;
     let dy = y as f32 + 0.5 - splat.center.y;
     // a dx² + 2 b dy dx + c dy² ≤ reach.
@@ -79,7 +79,7 @@ fn span(splat: &Splat, y: usize, width: usize) -> RowSpan {
 
 impl RowSpan {
     /// o exp(−½ dᵀΣ'⁻¹d) at a column, before it is cut at the largest α.
-    fn alpha(&self, splat: &Splat, x: usize) -> f32 {
+    fn alpha(&self, splat: &LevelSplat, x: usize) -> f32 {
         let dx = x as f32 + 0.5 - splat.center.x;
         let power = dx * (splat.inverse[0] * dx + 2.0 * self.linear) + self.constant;
         splat.opacity * (-0.5 * power).exp()
@@ -92,7 +92,11 @@ const MOST: f32 = ALPHA_MAX as f32;
 impl Blended {
     /// Draws splats into a transparent image. `seen` is called for each splat with the sum over all
     /// pixels of what it contributes.
-    pub fn new(splats: &[Option<Splat>], size: [u32; 2], mut seen: impl FnMut(usize, f32)) -> Self {
+    pub fn new(
+        splats: &[Option<LevelSplat>],
+        size: [u32; 2],
+        mut seen: impl FnMut(usize, f32),
+    ) -> Self {
         let mut order: Vec<u32> = (0..splats.len() as u32)
             .filter(|&k| splats[k as usize].is_some())
             .collect();
@@ -140,9 +144,13 @@ impl Blended {
     }
 
     /// The derivative of a loss by the splats, from that by the image's pixels.
-    pub fn gradient(mut self, splats: &[Option<Splat>], by: &FrameImage) -> Vec<SplatGradient> {
+    pub fn gradient(
+        mut self,
+        splats: &[Option<LevelSplat>],
+        by: &FrameImage,
+    ) -> Vec<LevelSplatGradient> {
         let [width, height] = self.image.size.map(|side| side as usize);
-        let mut gradients = vec![SplatGradient::default(); splats.len()];
+        let mut gradients = vec![LevelSplatGradient::default(); splats.len()];
         // What lies behind each splat, premultiplied, as if nothing were before it.
         let mut behind = vec![Vec4::ZERO; self.image.pixels.len()];
         for (at, &k) in self.order.iter().enumerate().rev() {
@@ -150,7 +158,7 @@ impl Blended {
                 continue;
             };
             let color = splat.color.extend(1.0);
-            let mut gradient = SplatGradient::default();
+            let mut gradient = LevelSplatGradient::default();
             for y in rows(splat, height) {
                 let span = span(splat, y, width);
                 let dy = y as f32 + 0.5 - splat.center.y;
@@ -212,7 +220,7 @@ pub fn loss_gradient(image: &FrameImage, truth: &FrameImage) -> FrameImage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::levels::splats::{Placed, Projection, Shape};
+    use crate::levels::splats::{FittedShape, PosedGaussian, Projection};
     use effigy_core::avatar::Filter;
     use effigy_core::random::Random;
     use effigy_core::scene::Camera;
@@ -226,9 +234,9 @@ mod tests {
     }
 
     /// Gaussians of some pixels in front of each other, some of them edge-on.
-    fn scene(random: &mut Random) -> (Vec<Shape>, Vec<Placed>) {
+    fn scene(random: &mut Random) -> (Vec<FittedShape>, Vec<PosedGaussian>) {
         let one = |random: &mut Random| {
-            let shape = Shape {
+            let shape = FittedShape {
                 offset: vector(random, -0.01, 0.01),
                 turn: vector(random, -0.3, 0.3),
                 log_scale: vector(random, -3.6, -2.2),
@@ -236,7 +244,7 @@ mod tests {
                 color: vector(random, 0.2, 0.8),
             };
             let turn = Quat::from_scaled_axis(vector(random, -2.0, 2.0));
-            let placed = Placed {
+            let placed = PosedGaussian {
                 mean: vector(random, -0.25, 0.25),
                 axes: Mat3::from_quat(turn) * Mat3::from_diagonal(vector(random, 0.9, 1.1)),
                 log_scale: vector(random, -0.1, 0.1),
@@ -257,11 +265,15 @@ mod tests {
         Projection::new(&camera, filter)
     }
 
-    fn draw(projection: &Projection, shapes: &[Shape], placed: &[Placed]) -> Blended {
+    fn draw(projection: &Projection, shapes: &[FittedShape], placed: &[PosedGaussian]) -> Blended {
         Blended::new(&splats(projection, shapes, placed), SIZE, |_, _| ())
     }
 
-    fn splats(projection: &Projection, shapes: &[Shape], placed: &[Placed]) -> Vec<Option<Splat>> {
+    fn splats(
+        projection: &Projection,
+        shapes: &[FittedShape],
+        placed: &[PosedGaussian],
+    ) -> Vec<Option<LevelSplat>> {
         let pairs = shapes.iter().zip(placed);
         pairs.map(|(s, p)| projection.splat(s, p)).collect()
     }
@@ -290,18 +302,18 @@ mod tests {
             let blended = draw(&projection, &shapes, &placed);
             let by = loss_gradient(&blended.image, &truth);
             let by_splat = blended.gradient(&splats(&projection, &shapes, &placed), &by);
-            let mut squares = [0.0; Shape::NUMBERS];
-            let mut errors = [0.0; Shape::NUMBERS];
+            let mut squares = [0.0; FittedShape::NUMBERS];
+            let mut errors = [0.0; FittedShape::NUMBERS];
             for k in 0..shapes.len() {
                 let got = projection.gradient(&shapes[k], &placed[k], &by_splat[k]);
-                for n in 0..Shape::NUMBERS {
+                for n in 0..FittedShape::NUMBERS {
                     const STEP: f32 = 4e-3;
                     let moved = |step: f32| {
                         let mut moved = shapes.clone();
                         let mut numbers = moved[k].to_array();
                         numbers[n] += step;
                         // A turn is measured from where the Gaussian is.
-                        moved[k] = Shape::from_array(numbers);
+                        moved[k] = FittedShape::from_array(numbers);
                         if (3..6).contains(&n) {
                             let mut turn = Vec3::ZERO;
                             turn[n - 3] = step;

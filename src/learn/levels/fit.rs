@@ -2,8 +2,8 @@
 
 use super::blend::{Blended, enlarged, loss_gradient};
 use super::pose::{self, shapes};
-use super::splats::{Placed, Projection, Shape, Splat};
-use super::views::{Target, View};
+use super::splats::{FittedShape, LevelSplat, PosedGaussian, Projection};
+use super::views::{LevelTarget, LevelView};
 use effigy_core::avatar::{Avatar, Level};
 use effigy_core::random::Random;
 use effigy_core::reference::project;
@@ -46,15 +46,15 @@ pub struct FitOptions {
 
 /// Adam's running means of a number's derivative and of its square.
 #[derive(Clone, Copy, Default)]
-struct Moments {
-    first: [f32; Shape::NUMBERS],
-    second: [f32; Shape::NUMBERS],
+struct ShapeMoments {
+    first: [f32; FittedShape::NUMBERS],
+    second: [f32; FittedShape::NUMBERS],
 }
 
 /// The rate of each number of a shape.
-fn rates(shape: &Shape) -> [f32; Shape::NUMBERS] {
+fn rates(shape: &FittedShape) -> [f32; FittedShape::NUMBERS] {
     let [offset, turn, scale, logit, color] = RATES;
-    Shape {
+    FittedShape {
         offset: Vec3::splat(offset * shape.log_scale.max_element().exp()),
         turn: Vec3::splat(turn),
         log_scale: Vec3::splat(scale),
@@ -109,17 +109,17 @@ impl<'a> Deck<'a> {
 }
 
 /// The derivative of an image's loss by the numbers of every shape.
-type Gradients = Vec<[f32; Shape::NUMBERS]>;
+type Gradients = Vec<[f32; FittedShape::NUMBERS]>;
 
 fn gradients(
-    shapes: &[Shape],
-    placed: &[Placed],
-    target: &Target,
+    shapes: &[FittedShape],
+    placed: &[PosedGaussian],
+    target: &LevelTarget,
     ImageSize { units, samples }: ImageSize,
 ) -> Gradients {
     let camera = target.view.camera_at(units * samples);
     let projection = Projection::new(&camera, Level::FILTER);
-    let splats: Vec<Option<Splat>> = shapes
+    let splats: Vec<Option<LevelSplat>> = shapes
         .iter()
         .zip(placed)
         .map(|(shape, placed)| projection.splat(shape, placed))
@@ -141,22 +141,22 @@ fn gradients(
     let by_splat = blended.gradient(&splats, &enlarged(&by, samples as u32));
     let gradient = |k: usize| match splats[k] {
         Some(_) => projection.gradient(&shapes[k], &placed[k], &by_splat[k]),
-        None => [0.0; Shape::NUMBERS],
+        None => [0.0; FittedShape::NUMBERS],
     };
     (0..shapes.len()).map(gradient).collect()
 }
 
 /// A level's Gaussians in the poses of all targets.
-struct Poses<'a> {
+struct LevelInPoses<'a> {
     level: &'a Avatar,
     /// By pose; none where colours depend on the view.
-    placed: Vec<Vec<Placed>>,
+    placed: Vec<Vec<PosedGaussian>>,
 }
 
-impl<'a> Poses<'a> {
-    fn new(level: &'a Avatar, targets: &[Target]) -> Self {
+impl<'a> LevelInPoses<'a> {
+    fn new(level: &'a Avatar, targets: &[LevelTarget]) -> Self {
         let mut placed = Vec::new();
-        for Target { view, .. } in targets {
+        for LevelTarget { view, .. } in targets {
             if level.sh.is_none() && view.pose == placed.len() {
                 placed.push(pose::placed(level, &view.posed, &view.camera));
             }
@@ -164,7 +164,7 @@ impl<'a> Poses<'a> {
         Self { level, placed }
     }
 
-    fn placed(&self, view: &View) -> Cow<'_, [Placed]> {
+    fn placed(&self, view: &LevelView) -> Cow<'_, [PosedGaussian]> {
         match self.placed.get(view.pose) {
             Some(placed) => Cow::Borrowed(placed),
             None => Cow::Owned(pose::placed(self.level, &view.posed, &view.camera)),
@@ -176,15 +176,15 @@ impl<'a> Poses<'a> {
 pub fn fit(
     avatar: &Avatar,
     level: &Level,
-    targets: &[Target],
+    targets: &[LevelTarget],
     options: &FitOptions,
     progress: &mut dyn FnMut(usize),
 ) -> Level {
     let drawn = avatar.at_level(level);
     let mut shapes = shapes(&drawn);
     let initial = shapes.clone();
-    let poses = Poses::new(&drawn, targets);
-    let mut moments = vec![Moments::default(); shapes.len()];
+    let poses = LevelInPoses::new(&drawn, targets);
+    let mut moments = vec![ShapeMoments::default(); shapes.len()];
     let mut deck = Deck::new(targets.len(), options);
     for step in 0..options.steps {
         let batch: Vec<Card> = (0..BATCH).map(|_| deck.draw()).collect();
@@ -217,7 +217,7 @@ pub fn fit(
                         (*first / correction[0]) / ((*second / correction[1]).sqrt() + 1e-12);
                     *number -= slower * rates[n] * step;
                 }
-                *shape = Shape::from_array(numbers);
+                *shape = FittedShape::from_array(numbers);
             });
         progress(step + 1);
     }
@@ -225,7 +225,7 @@ pub fn fit(
 }
 
 /// The level with fitted shapes.
-fn store(avatar: &Avatar, level: &Level, shapes: &[Shape]) -> Level {
+fn store(avatar: &Avatar, level: &Level, shapes: &[FittedShape]) -> Level {
     let mut level = level.clone();
     let gaussians = &mut level.gaussians;
     for (k, shape) in shapes.iter().enumerate() {

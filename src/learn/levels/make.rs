@@ -3,10 +3,10 @@
 use super::assemble;
 use super::fit::{self, FitOptions, ImageSize};
 use super::measure::measure;
-use super::merge::Hierarchy;
+use super::merge::MergeTree;
 use super::pose;
 use super::still::still;
-use super::views::{self, Target, UNIT, View, height, views};
+use super::views::{self, LevelTarget, LevelView, UNIT, height, views};
 use crate::poses;
 use effigy_core::avatar::{Avatar, Level, Pose, motion::Player};
 use effigy_core::scene::{Camera, Posed};
@@ -32,14 +32,14 @@ const WITH_CORRECTIVES: f64 = 80.0;
 const LARGEST: [usize; 3] = [6, 12, 24];
 
 /// What a level is for.
-struct Plan {
+struct LevelPlan {
     /// Number of Gaussians.
     gaussians: usize,
     /// Height of the avatar in the image, in units.
     height: f64,
 }
 
-impl Plan {
+impl LevelPlan {
     fn new(gaussians: usize) -> Self {
         let height = FOR_HEIGHT * (gaussians as f64 / FOR_GAUSSIANS).sqrt();
         Self {
@@ -74,7 +74,7 @@ struct Heights {
 
 impl Heights {
     /// For levels of which this is the finest.
-    fn new(finest: &Plan) -> Self {
+    fn new(finest: &LevelPlan) -> Self {
         let enough = |largest: &usize| *largest as f64 >= 1.5 * finest.height;
         let largest = LARGEST.into_iter().find(enough);
         Self {
@@ -97,7 +97,7 @@ impl Heights {
 
     /// Images to fit a level to: a little smaller and a little larger than what it is for, and with
     /// half of the samples twice as large, which shows more.
-    fn fitted(&self, plan: &Plan) -> Vec<ImageSize> {
+    fn fitted(&self, plan: &LevelPlan) -> Vec<ImageSize> {
         let size = |units, samples| ImageSize {
             units: self.nearest(units),
             samples,
@@ -110,7 +110,7 @@ impl Heights {
     }
 
     /// Heights to measure a level at.
-    fn measured(&self, plan: &Plan) -> impl Iterator<Item = usize> {
+    fn measured(&self, plan: &LevelPlan) -> impl Iterator<Item = usize> {
         let range = self.nearest(plan.height / 3.0)..=self.nearest(plan.height * 2.0);
         self.all().filter(move |units| range.contains(units))
     }
@@ -182,7 +182,7 @@ impl LevelPoses {
 
 /// What is being done.
 #[derive(Clone, Copy, Debug)]
-pub struct Progress {
+pub struct LevelProgress {
     /// For users.
     pub step: &'static str,
     /// Units of work that are done.
@@ -200,10 +200,10 @@ pub fn levels_of(
     avatar: &Avatar,
     poses: &LevelPoses,
     options: &LevelOptions,
-    progress: &mut dyn FnMut(Progress),
+    progress: &mut dyn FnMut(LevelProgress),
 ) -> Vec<Level> {
     let whole = avatar.gaussians.len();
-    let plans = Plan::all(avatar);
+    let plans = LevelPlan::all(avatar);
     let Some(finest) = plans.first() else {
         return vec![];
     };
@@ -215,10 +215,10 @@ pub fn levels_of(
     let held_out = held_out_views(avatar, poses, options);
     let images = training.len() + held_out.len();
     let all = images + plans.len() * options.steps;
-    let mut tell = |step, done| progress(Progress { step, done, all });
+    let mut tell = |step, done| progress(LevelProgress { step, done, all });
     let heights = Heights::new(finest);
     let mut seen = vec![0.0; whole];
-    let mut draw = |views: &[View], before: usize, seen: &mut [f64]| {
+    let mut draw = |views: &[LevelView], before: usize, seen: &mut [f64]| {
         views::targets(avatar, views, heights.largest, seen, &mut |done| {
             tell("drawing the whole avatar", before + done);
         })
@@ -260,9 +260,9 @@ struct LevelMaker<'a> {
     avatar: &'a Avatar,
     /// Without networks.
     still: Avatar,
-    hierarchy: Hierarchy,
-    training: Vec<Target>,
-    held_out: Vec<Target>,
+    hierarchy: MergeTree,
+    training: Vec<LevelTarget>,
+    held_out: Vec<LevelTarget>,
     heights: Heights,
     options: &'a LevelOptions,
 }
@@ -270,7 +270,7 @@ struct LevelMaker<'a> {
 impl LevelMaker<'_> {
     /// A level of the Gaussians as they are merged now, fitted and measured. `progress` is called
     /// with the number of steps done.
-    fn level(&self, plan: &Plan, progress: &mut dyn FnMut(usize)) -> Level {
+    fn level(&self, plan: &LevelPlan, progress: &mut dyn FnMut(usize)) -> Level {
         let avatar = self.avatar;
         let source = if plan.has_correctives() {
             avatar
@@ -298,13 +298,13 @@ impl LevelMaker<'_> {
 }
 
 /// The views that levels are measured in.
-fn held_out_views(avatar: &Avatar, poses: &LevelPoses, options: &LevelOptions) -> Vec<View> {
+fn held_out_views(avatar: &Avatar, poses: &LevelPoses, options: &LevelOptions) -> Vec<LevelView> {
     let sides = HELD_OUT_IMAGES.div_ceil(poses.held_out.len().max(1));
     views(avatar, &poses.held_out, sides, !options.seed)
 }
 
 /// The avatar before its first merge. `still`: without networks.
-fn hierarchy(avatar: &Avatar, still: &Avatar, poses: &[Pose], seen: &[f64]) -> Hierarchy {
+fn hierarchy(avatar: &Avatar, still: &Avatar, poses: &[Pose], seen: &[f64]) -> MergeTree {
     let indices: Vec<usize> = (0..poses.len()).collect();
     // Colours that depend on the view are merged by what all views have in common.
     let unlit = Avatar {
@@ -321,5 +321,5 @@ fn hierarchy(avatar: &Avatar, still: &Avatar, poses: &[Pose], seen: &[f64]) -> H
                 .collect()
         })
         .collect();
-    Hierarchy::new(assemble::blobs(still, seen, &centers), height(avatar))
+    MergeTree::new(assemble::blobs(still, seen, &centers), height(avatar))
 }

@@ -1,7 +1,7 @@
 //! How far images of a level are from what they should be.
 
 use super::blend::Blended;
-use super::views::{Target, UNIT, whole_splats};
+use super::views::{LevelTarget, UNIT, whole_splats};
 use effigy_core::avatar::{Avatar, LevelError};
 use effigy_core::constants::ALPHA_MIN;
 use effigy_core::scene::FrameImage;
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 const MOST_DB: f64 = 100.0;
 
 /// Draws an avatar in a target's view, `units` tall with `samples` a pixel along each axis.
-pub fn draw(avatar: &Avatar, target: &Target, units: usize, samples: usize) -> FrameImage {
+pub fn draw(avatar: &Avatar, target: &LevelTarget, units: usize, samples: usize) -> FrameImage {
     let splats = whole_splats(avatar, &target.view, units * samples);
     let size = target.view.camera_at(units * samples).size;
     Blended::new(&splats, size, |_, _| ())
@@ -26,13 +26,18 @@ fn sum_of(image: &FrameImage) -> Vec4 {
 }
 
 /// The errors of an avatar's images at a size, which must not be larger than the targets'.
-pub fn measure(avatar: &Avatar, targets: &[Target], units: usize, samples: usize) -> LevelError {
-    struct Compared {
+pub fn measure(
+    avatar: &Avatar,
+    targets: &[LevelTarget],
+    units: usize,
+    samples: usize,
+) -> LevelError {
+    struct ViewErrors {
         psnr_db: f64,
         got: Vec4,
         expected: Vec4,
     }
-    let compare = |target: &Target| {
+    let compare = |target: &LevelTarget| {
         let image = draw(avatar, target, units, samples);
         let truth = target.truth(units);
         let mut squares = 0.0;
@@ -45,15 +50,15 @@ pub fn measure(avatar: &Avatar, targets: &[Target], units: usize, samples: usize
             }
         }
         let mean = squares / (4 * covered.max(1)) as f64;
-        Compared {
+        ViewErrors {
             psnr_db: (-10.0 * mean.log10()).min(MOST_DB),
             got: sum_of(&image),
             expected: sum_of(&truth),
         }
     };
-    let all: Vec<Compared> = targets.par_iter().map(compare).collect();
+    let all: Vec<ViewErrors> = targets.par_iter().map(compare).collect();
     let sum =
-        |of: fn(&Compared) -> Vec4| -> DVec4 { all.iter().map(|one| of(one).as_dvec4()).sum() };
+        |of: fn(&ViewErrors) -> Vec4| -> DVec4 { all.iter().map(|one| of(one).as_dvec4()).sum() };
     let expected = sum(|one| one.expected);
     let off = sum(|one| one.got) / expected.max(DVec4::splat(f64::MIN_POSITIVE)) - 1.0;
     let off = off.clamp(DVec4::splat(-1.0), DVec4::ONE);
@@ -76,7 +81,7 @@ mod tests {
     use effigy_core::reference;
     use effigy_measure::error;
 
-    fn demo() -> (Avatar, Vec<views::View>) {
+    fn demo() -> (Avatar, Vec<views::LevelView>) {
         let avatar = effigy_demo::avatar().expect("inside the program");
         let clip = effigy_demo::clip().expect("inside the program");
         let player = Player::new(clip, &avatar.skeleton);

@@ -53,14 +53,14 @@ pub fn area(deviations: DVec3) -> f64 {
 }
 
 /// Axes and variances of a covariance; the axes are the columns of a rotation.
-pub struct Axes {
+pub struct CovarianceAxes {
     /// Columns.
     pub rotation: DMat3,
     /// Variance along each, m².
     pub variance: DVec3,
 }
 
-impl Axes {
+impl CovarianceAxes {
     /// The eigenvectors and eigenvalues of a covariance, largest first.
     pub fn new(covariance: DMat3) -> Self {
         let scale = covariance.x_axis.x + covariance.y_axis.y + covariance.z_axis.z;
@@ -77,7 +77,7 @@ impl Axes {
 impl Blob {
     /// The direction in which it is thinnest.
     fn normal(&self) -> DVec3 {
-        Axes::new(self.covariance).rotation.z_axis
+        CovarianceAxes::new(self.covariance).rotation.z_axis
     }
 
     /// The mixture of two.
@@ -112,14 +112,14 @@ impl Blob {
 }
 
 /// A pair that may be merged, by indices into the blobs of its part.
-struct Pair {
+struct MergePair {
     cost: f64,
     part: usize,
     blobs: [u32; 2],
 }
 
 /// Blobs of each part.
-pub struct Hierarchy {
+pub struct MergeTree {
     parts: Vec<Vec<Blob>>,
     /// Metres.
     height: f64,
@@ -127,7 +127,7 @@ pub struct Hierarchy {
     unseen: f64,
 }
 
-impl Hierarchy {
+impl MergeTree {
     /// Before the first merge. `height`: of the avatar, metres.
     pub fn new(parts: Vec<Vec<Blob>>, height: f64) -> Self {
         let sum = |of: fn(&Blob) -> f64| parts.iter().flatten().map(of).sum::<f64>();
@@ -172,7 +172,7 @@ impl Hierarchy {
         if most == 0 {
             return 0;
         }
-        let mut pairs: Vec<Pair> = (0..self.parts.len())
+        let mut pairs: Vec<MergePair> = (0..self.parts.len())
             .into_par_iter()
             .flat_map_iter(|part| self.pairs(part))
             .collect();
@@ -184,7 +184,7 @@ impl Hierarchy {
         let mut free: Vec<Vec<bool>> = self.parts.iter().map(|b| vec![true; b.len()]).collect();
         let mut chosen: Vec<Vec<[u32; 2]>> = vec![vec![]; self.parts.len()];
         let mut merged = 0;
-        for Pair { part, blobs, .. } in pairs {
+        for MergePair { part, blobs, .. } in pairs {
             if merged == most {
                 break;
             }
@@ -204,7 +204,7 @@ impl Hierarchy {
     }
 
     /// The pairs of near blobs in a part.
-    fn pairs(&self, part: usize) -> Vec<Pair> {
+    fn pairs(&self, part: usize) -> Vec<MergePair> {
         let blobs = &self.parts[part];
         let points: Vec<[f64; 3]> = blobs.iter().map(|blob| blob.mean.to_array()).collect();
         if points.len() < 2 {
@@ -221,7 +221,7 @@ impl Hierarchy {
                     // Of a pair that both find, one is enough; sorting puts equal ones together.
                     let blobs = [a.min(b) as u32, a.max(b) as u32];
                     let cost = self.cost(part, [a, b], &normals);
-                    pairs.push(Pair { cost, part, blobs });
+                    pairs.push(MergePair { cost, part, blobs });
                 }
             }
         }
@@ -281,7 +281,7 @@ mod tests {
         }
     }
 
-    fn hierarchy(random: &mut Random) -> Hierarchy {
+    fn hierarchy(random: &mut Random) -> MergeTree {
         let mut at = 0;
         let mut part = |count: usize| -> Vec<Blob> {
             let center = random.direction();
@@ -292,7 +292,7 @@ mod tests {
                 })
                 .collect()
         };
-        Hierarchy::new([300, 0, 120, 1].map(&mut part).into(), 2.0)
+        MergeTree::new([300, 0, 120, 1].map(&mut part).into(), 2.0)
     }
 
     /// Mass, mean, covariance around the origin and mean colour of a part.
@@ -373,7 +373,7 @@ mod tests {
             }
             blob.seen = 0.0;
         }
-        let mut hierarchy = Hierarchy::new(vec![same], 1.0);
+        let mut hierarchy = MergeTree::new(vec![same], 1.0);
         hierarchy.merge_to(5);
         assert_eq!(hierarchy.count(), 5);
     }
@@ -389,7 +389,7 @@ mod tests {
             let turn = DMat3::from_quat(glam::DQuat::from_scaled_axis(random.direction()));
             let axes = turn * DMat3::from_diagonal(deviations);
             let covariance = axes * axes.transpose();
-            let found = Axes::new(covariance);
+            let found = CovarianceAxes::new(covariance);
             let again =
                 found.rotation * DMat3::from_diagonal(found.variance) * found.rotation.transpose();
             let off = (again - covariance).to_cols_array();
@@ -397,7 +397,7 @@ mod tests {
             assert!((found.rotation.determinant() - 1.0).abs() < 1e-9);
             assert!(found.variance.x >= found.variance.y && found.variance.y >= found.variance.z);
         }
-        let none = Axes::new(DMat3::ZERO);
+        let none = CovarianceAxes::new(DMat3::ZERO);
         assert!(none.variance == DVec3::ZERO && none.rotation.is_finite());
     }
 }

@@ -21,4 +21,4 @@ mod splats;
 mod still;
 mod views;
 
-pub use make::{LevelOptions, LevelPoses, Progress, levels_of};
+pub use make::{LevelOptions, LevelPoses, LevelProgress, levels_of};

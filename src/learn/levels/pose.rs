@@ -1,7 +1,7 @@
-//! Gaussians in a pose, ready to be drawn with any [`Shape`]: docs/model.md, steps 1 to 7, by the
+//! Gaussians in a pose, ready to be drawn with any [`FittedShape`]: docs/model.md, steps 1 to 7, by the
 //! f64 reference's own functions.
 
-use super::splats::{Placed, Shape};
+use super::splats::{FittedShape, PosedGaussian};
 use effigy_core::avatar::Avatar;
 use effigy_core::reference::{
     basis::corrective,
@@ -17,12 +17,12 @@ use rayon::prelude::*;
 const OPACITY_MARGIN: f64 = 0.25 / 255.0;
 
 /// The shapes of an avatar's Gaussians as they are.
-pub fn shapes(avatar: &Avatar) -> Vec<Shape> {
+pub fn shapes(avatar: &Avatar) -> Vec<FittedShape> {
     let gaussians = &avatar.gaussians;
     let shape = |k: usize| {
         let opacity = f64::from(gaussians.opacity[k]) / 255.0;
         let opacity = opacity.clamp(OPACITY_MARGIN, 1.0 - OPACITY_MARGIN);
-        Shape {
+        FittedShape {
             offset: Vec3::ZERO,
             turn: Vec3::ZERO,
             log_scale: Vec3::from(gaussians.log_scale[k].map(f32::from)),
@@ -35,7 +35,7 @@ pub fn shapes(avatar: &Avatar) -> Vec<Shape> {
 
 /// An avatar's Gaussians in a pose. `camera`: the view that colours are of, where they depend on
 /// it.
-pub fn placed(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Vec<Placed> {
+pub fn placed(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Vec<PosedGaussian> {
     let features = mlp::features(avatar, &posed.input);
     let nodes = nodes::nodes(avatar, &features);
     let gaussians = &avatar.gaussians;
@@ -55,7 +55,7 @@ pub fn placed(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Vec<Placed> {
         let neutral = DVec3::from(gaussians.color[k].map(f64::from));
         let color = DVec3::from(corrective(&avatar.color_rows, k, e))
             + lit.as_ref().map_or(DVec3::ZERO, |lit| lit[k] - neutral);
-        Placed {
+        PosedGaussian {
             mean: mean(k).as_vec3(),
             axes: (skinning(k).matrix3 * DMat3::from_quat(rotation)).as_mat3(),
             log_scale: DVec3::from(corrective(&avatar.scale_rows, k, e)).as_vec3(),

@@ -1,5 +1,5 @@
 //! Projection of Gaussians into small images, with its derivatives: docs/model.md, steps 5 to 8, in
-//! f32. What fitting a level changes are the numbers of [`Shape`]; all else comes from a pose.
+//! f32. What fitting a level changes are the numbers of [`FittedShape`]; all else comes from a pose.
 
 use effigy_core::avatar::{Filter, LowPass};
 use effigy_core::constants::ALPHA_MIN;
@@ -12,7 +12,7 @@ const MIN_DETERMINANT: f32 = 1e-8;
 
 /// What fitting changes of a Gaussian, relative to where its merge put it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
+pub struct FittedShape {
     /// Displacement along its own axes, metres.
     pub offset: Vec3,
     /// Rotation vector in its own axes, radians.
@@ -25,7 +25,7 @@ pub struct Shape {
     pub color: Vec3,
 }
 
-impl Shape {
+impl FittedShape {
     /// Numbers of a shape.
     pub const NUMBERS: usize = 13;
 
@@ -58,9 +58,9 @@ impl Shape {
     }
 }
 
-/// A Gaussian in a pose, without its [`Shape`].
+/// A Gaussian in a pose, without its [`FittedShape`].
 #[derive(Clone, Copy, Debug)]
-pub struct Placed {
+pub struct PosedGaussian {
     /// The centre, metres.
     pub mean: Vec3,
     /// G₃ₓ₃ R: the axes, without the standard deviations.
@@ -73,7 +73,7 @@ pub struct Placed {
 
 /// A Gaussian in the image.
 #[derive(Clone, Copy, Debug)]
-pub struct Splat {
+pub struct LevelSplat {
     /// px from the image's top left corner.
     pub center: Vec2,
     /// Distance along the camera's axis, metres.
@@ -90,9 +90,9 @@ pub struct Splat {
     pub color: Vec3,
 }
 
-/// The derivative of a loss by what a [`Splat`] says.
+/// The derivative of a loss by what a [`LevelSplat`] says.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct SplatGradient {
+pub struct LevelSplatGradient {
     /// By the centre, 1/px.
     pub center: Vec2,
     /// By Σ'⁻¹ as [a, b, c], where b stands for both off-diagonal entries, px².
@@ -157,7 +157,7 @@ impl Projection {
     }
 
     /// None where the Gaussian is nearer than the near plane.
-    fn steps(&self, shape: &Shape, placed: &Placed) -> Option<Steps> {
+    fn steps(&self, shape: &FittedShape, placed: &PosedGaussian) -> Option<Steps> {
         let turned = placed.axes * Mat3::from_quat(Quat::from_scaled_axis(shape.turn));
         let t = self.rotation * (placed.mean + placed.axes * shape.offset) + self.translation;
         if t.z < self.near || t.z.is_nan() {
@@ -202,12 +202,17 @@ impl Projection {
     }
 
     /// A Gaussian in the image; None where nothing of it is.
-    pub fn splat(&self, shape: &Shape, placed: &Placed) -> Option<Splat> {
+    pub fn splat(&self, shape: &FittedShape, placed: &PosedGaussian) -> Option<LevelSplat> {
         self.splat_of(shape, placed, shape.opacity())
     }
 
     /// [`Self::splat`] with another opacity, 0 to 1.
-    pub fn splat_of(&self, shape: &Shape, placed: &Placed, opacity: f32) -> Option<Splat> {
+    pub fn splat_of(
+        &self,
+        shape: &FittedShape,
+        placed: &PosedGaussian,
+        opacity: f32,
+    ) -> Option<LevelSplat> {
         let steps = self.steps(shape, placed)?;
         let opacity = opacity * steps.compensation;
         let reach = 2.0 * (opacity / ALPHA_MIN as f32).ln();
@@ -220,7 +225,7 @@ impl Projection {
             && (center + radius).min_element() >= 0.0
             && (self.size + radius - center).min_element() >= 0.0;
         let d = steps.smooth_determinant;
-        visible.then(|| Splat {
+        visible.then(|| LevelSplat {
             center,
             depth: steps.t.z,
             inverse: [c / d, -b / d, a / d],
@@ -235,12 +240,12 @@ impl Projection {
     /// own change along an offset is left out: it is small where an avatar is.
     pub fn gradient(
         &self,
-        shape: &Shape,
-        placed: &Placed,
-        by: &SplatGradient,
-    ) -> [f32; Shape::NUMBERS] {
+        shape: &FittedShape,
+        placed: &PosedGaussian,
+        by: &LevelSplatGradient,
+    ) -> [f32; FittedShape::NUMBERS] {
         let Some(steps) = self.steps(shape, placed) else {
-            return [0.0; Shape::NUMBERS];
+            return [0.0; FittedShape::NUMBERS];
         };
         let Steps {
             t,
@@ -300,7 +305,7 @@ impl Projection {
             Vec3::ONE,
             Vec3::ZERO,
         );
-        Shape {
+        FittedShape {
             offset,
             turn,
             log_scale,

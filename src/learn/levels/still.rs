@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 /// A Gaussian's correctives, summed over poses.
 #[derive(Clone, Copy, Default)]
-struct Sums {
+struct CorrectiveSums {
     position: DVec3,
     rotation: [f64; 4],
     log_scale: [f64; 3],
@@ -23,7 +23,7 @@ struct Sums {
 /// Stills an avatar at the mean over network inputs, of which there is at least one. Positions
 /// stay in the avatar's bounds.
 pub fn still(avatar: &Avatar, inputs: &[Vec<f64>]) -> Avatar {
-    let mut sums = vec![Sums::default(); avatar.gaussians.len()];
+    let mut sums = vec![CorrectiveSums::default(); avatar.gaussians.len()];
     let inputs = if avatar.networks.layers.is_empty() {
         &[]
     } else {

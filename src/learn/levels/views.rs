@@ -3,7 +3,7 @@
 
 use super::blend::Blended;
 use super::pose::{placed, shapes};
-use super::splats::{Projection, Splat};
+use super::splats::{LevelSplat, Projection};
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::random::Random;
 use effigy_core::scene::{AvatarBounds, Camera, FrameImage, Posed};
@@ -23,7 +23,7 @@ const PITCHES: [f64; 2] = [-0.35, 0.7];
 
 /// A pose seen by a camera.
 #[derive(Clone, Debug)]
-pub struct View {
+pub struct LevelView {
     /// Which of the poses it is.
     pub pose: usize,
     /// The pose, evaluated.
@@ -32,7 +32,7 @@ pub struct View {
     pub camera: Camera,
 }
 
-impl View {
+impl LevelView {
     /// The camera for an avatar of so many units.
     pub fn camera_at(&self, units: usize) -> Camera {
         self.camera
@@ -41,15 +41,15 @@ impl View {
 }
 
 /// A view and what it should show.
-pub struct Target {
+pub struct LevelTarget {
     /// The view.
-    pub view: View,
+    pub view: LevelView,
     /// The avatar, `largest` units tall.
     truth: FrameImage,
     largest: usize,
 }
 
-impl Target {
+impl LevelTarget {
     /// What an image of the avatar should be at a size. `units` divides that of the largest image.
     pub fn truth(&self, units: usize) -> FrameImage {
         self.truth.averaged((self.largest / units) as u32)
@@ -65,7 +65,7 @@ pub fn height(avatar: &Avatar) -> f64 {
 }
 
 /// Views of poses, `sides` of each, from directions that `seed` decides.
-pub fn views(avatar: &Avatar, poses: &[Pose], sides: usize, seed: u64) -> Vec<View> {
+pub fn views(avatar: &Avatar, poses: &[Pose], sides: usize, seed: u64) -> Vec<LevelView> {
     let bounds = AvatarBounds::new(avatar);
     let height = height(avatar);
     let view = |index: usize| {
@@ -78,7 +78,7 @@ pub fn views(avatar: &Avatar, poses: &[Pose], sides: usize, seed: u64) -> Vec<Vi
             near: bounds.framing(&posed.joints).near,
             ..camera(corners, height, yaw, pitch)
         };
-        View {
+        LevelView {
             pose: index / sides,
             posed,
             camera,
@@ -113,7 +113,7 @@ fn camera(bounds: [DVec3; 2], height: f64, yaw: f64, pitch: f64) -> Camera {
 }
 
 /// The splats of a whole avatar in a view, with the avatar's own filter.
-pub fn whole_splats(avatar: &Avatar, view: &View, units: usize) -> Vec<Option<Splat>> {
+pub fn whole_splats(avatar: &Avatar, view: &LevelView, units: usize) -> Vec<Option<LevelSplat>> {
     let camera = view.camera_at(units);
     let projection = Projection::new(&camera, avatar.filter);
     let opacity = |k: usize| f32::from(avatar.gaussians.opacity[k]) / 255.0;
@@ -129,28 +129,28 @@ pub fn whole_splats(avatar: &Avatar, view: &View, units: usize) -> Vec<Option<Sp
 /// Gaussian contributes. `progress` is called with the number of images done.
 pub fn targets(
     avatar: &Avatar,
-    views: &[View],
+    views: &[LevelView],
     largest: usize,
     seen: &mut [f64],
     progress: &mut dyn FnMut(usize),
-) -> Vec<Target> {
+) -> Vec<LevelTarget> {
     let mut all = Vec::with_capacity(views.len());
     for batch in views.chunks(BATCH) {
-        let draw = |view: &View| {
+        let draw = |view: &LevelView| {
             let units = largest * SUPERSAMPLING;
             let splats = whole_splats(avatar, view, units);
             let mut own = vec![0.0; splats.len()];
             let size = view.camera_at(units).size;
             let blended = Blended::new(&splats, size, |k, sum| own[k] = sum);
             let truth = blended.image.averaged(SUPERSAMPLING as u32);
-            let target = Target {
+            let target = LevelTarget {
                 view: view.clone(),
                 truth,
                 largest,
             };
             (target, own)
         };
-        let drawn: Vec<(Target, Vec<f32>)> = batch.par_iter().map(draw).collect();
+        let drawn: Vec<(LevelTarget, Vec<f32>)> = batch.par_iter().map(draw).collect();
         for (target, own) in drawn {
             for (sum, own) in seen.iter_mut().zip(own) {
                 *sum += f64::from(own);

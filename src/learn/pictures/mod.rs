@@ -17,8 +17,8 @@ mod shoot;
 mod template;
 
 pub use flaws::Flaws;
-pub use frames::{Shot, plan_frames};
+pub use frames::{ClipFrame, plan_frames};
 pub use rig::{RigOptions, rig};
-pub use scene::{Scene, Studio};
+pub use scene::{PosedScene, Studio};
 pub use shoot::{PictureOptions, Summary, shoot};
 pub use template::template;

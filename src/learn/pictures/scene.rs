@@ -5,7 +5,7 @@ use crate::bake::body::blend;
 use crate::bake::outfit::Outfit;
 use crate::bake::surface::{Sheet, Site};
 use crate::ground_truth::light::irradiance;
-use crate::ground_truth::mesh::Mesh;
+use crate::ground_truth::mesh::SheetMesh;
 use crate::ground_truth::settled::{PosedMesh, SettledBody, turned_normal};
 use crate::pictures::image::{BACKDROP, LinearImage};
 use effigy_core::{
@@ -42,7 +42,7 @@ const PROBES: [[f64; 3]; 10] = {
 
 /// A triangle that can be seen.
 #[derive(Clone, Copy, Debug)]
-struct Shown {
+struct VisibleTriangle {
     /// Index into the mesh's triangles.
     triangle: u32,
     /// Index into the sheets.
@@ -57,13 +57,13 @@ pub struct Studio {
     skeleton: Skeleton,
     outfit: Outfit,
     sheets: Vec<Sheet>,
-    shown: Vec<Shown>,
+    shown: Vec<VisibleTriangle>,
     /// The vertices of triangles that are shown.
     lit: Vec<u32>,
 }
 
 /// The mesh in a pose.
-pub struct Scene<'a> {
+pub struct PosedScene<'a> {
     studio: &'a Studio,
     posed: PosedMesh,
     /// Of [`Studio::shown`], before the hips turn or move them.
@@ -81,7 +81,7 @@ impl Studio {
             outfit,
             sheets,
         } = clothed;
-        let mesh = Mesh::new(&sheets, &outfit);
+        let mesh = SheetMesh::new(&sheets, &outfit);
         let shown = shown(&sheets, &outfit);
         let mut lit: Vec<u32> = shown
             .iter()
@@ -100,9 +100,9 @@ impl Studio {
     }
 
     /// Poses the body.
-    pub fn scene(&self, pose: &Pose) -> Scene<'_> {
+    pub fn scene(&self, pose: &Pose) -> PosedScene<'_> {
         let posed = self.body.pose(pose, &self.lit);
-        let triangle = |shown: &Shown| {
+        let triangle = |shown: &VisibleTriangle| {
             let corners = self.body.mesh.triangles[shown.triangle as usize];
             let [v0, v1, v2] = corners.map(|v| posed.settled[v as usize].as_vec3a());
             Triangle { v0, v1, v2 }
@@ -120,7 +120,7 @@ impl Studio {
             DQuat::from_scaled_axis(turn),
             rest + pose.translation,
         ) * DAffine3::from_translation(-rest);
-        Scene {
+        PosedScene {
             studio: self,
             posed,
             triangles,
@@ -149,7 +149,7 @@ impl Studio {
 }
 
 /// The triangles that can be seen.
-fn shown(sheets: &[Sheet], outfit: &Outfit) -> Vec<Shown> {
+fn shown(sheets: &[Sheet], outfit: &Outfit) -> Vec<VisibleTriangle> {
     let mut first = 0;
     let mut all = Vec::new();
     for (at, sheet) in sheets.iter().enumerate() {
@@ -158,7 +158,7 @@ fn shown(sheets: &[Sheet], outfit: &Outfit) -> Vec<Shown> {
                 .iter()
                 .filter(|&&probe| outfit.shows(&sheet.site(t, probe)))
                 .count();
-            (seen > 0).then_some(Shown {
+            (seen > 0).then_some(VisibleTriangle {
                 triangle: (first + t) as u32,
                 sheet: at as u16,
                 in_part: seen < PROBES.len(),
@@ -171,12 +171,12 @@ fn shown(sheets: &[Sheet], outfit: &Outfit) -> Vec<Shown> {
 }
 
 /// Where a ray meets the mesh.
-struct Hit {
-    shown: Shown,
+struct MeshHit {
+    shown: VisibleTriangle,
     barycentric: [f64; 3],
 }
 
-impl Scene<'_> {
+impl PosedScene<'_> {
     /// The picture that a camera takes. `side`: a pixel's colour is the mean of as many squared
     /// samples, jittered by `seed`.
     pub fn picture(&self, camera: &Camera, side: u32, seed: u64) -> LinearImage {
@@ -273,7 +273,7 @@ impl Scene<'_> {
         Some(self.shade(&hit, along / length, footprint * depth))
     }
 
-    fn hit(&self, index: usize, from: DVec3, along: DVec3, depth: f64) -> Hit {
+    fn hit(&self, index: usize, from: DVec3, along: DVec3, depth: f64) -> MeshHit {
         let shown = self.studio.shown[index];
         let corners = self.studio.body.mesh.triangles[shown.triangle as usize];
         let [a, b, c] = corners.map(|v| self.posed.settled[v as usize]);
@@ -284,14 +284,14 @@ impl Scene<'_> {
         let v = (a - c).cross(p - c).dot(normal) / area;
         let u = u.clamp(0.0, 1.0);
         let v = v.clamp(0.0, 1.0 - u);
-        Hit {
+        MeshHit {
             shown,
             barycentric: [u, v, 1.0 - u - v],
         }
     }
 
     /// The place in the rest pose that a ray has met.
-    fn site(&self, hit: &Hit, footprint: f64) -> Site {
+    fn site(&self, hit: &MeshHit, footprint: f64) -> Site {
         let at = usize::from(hit.shown.sheet);
         let first = self.studio.body.mesh.sheets[at].first_triangle;
         let triangle = hit.shown.triangle as usize - first;
@@ -302,7 +302,7 @@ impl Scene<'_> {
     }
 
     /// The light that leaves the surface against a ray's direction, linear RGB.
-    fn shade(&self, hit: &Hit, along: DVec3, footprint: f64) -> DVec3 {
+    fn shade(&self, hit: &MeshHit, along: DVec3, footprint: f64) -> DVec3 {
         let outfit = &self.studio.outfit;
         let mut site = self.site(hit, footprint);
         let rest = match site.material.light_normal() {

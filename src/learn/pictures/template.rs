@@ -1,10 +1,10 @@
 //! The naked body as a capture's body model.
 
-use crate::bake::body::{Body, EXPRESSIONS};
+use crate::bake::body::{BakedBody, EXPRESSIONS};
 use crate::bake::joints::is_head;
 use crate::bake::source::rig::{self, BODY};
 use crate::bake::surface::{Material, Sheet};
-use effigy_capture::{Influence, Template};
+use effigy_capture::{Template, VertexInfluence};
 
 /// Groups of the mesh that the model has: skin and eyes.
 const GROUPS: [(&str, Material); 3] = [
@@ -14,7 +14,7 @@ const GROUPS: [(&str, Material); 3] = [
 ];
 
 /// The body without clothes and hair, in its rest pose.
-pub fn template(body: &Body) -> Template {
+pub fn template(body: &BakedBody) -> Template {
     let mut template = Template {
         skeleton: body.skeleton.clone(),
         vertices: Vec::new(),
@@ -34,7 +34,7 @@ pub fn template(body: &Body) -> Template {
         }
         for vertex in &sheet.vertices {
             template.vertices.push(vertex.position);
-            let influence = |own: &rig::Influence| Influence {
+            let influence = |own: &rig::PointInfluence| VertexInfluence {
                 joint: own.joint,
                 weight: own.weight as f32,
             };

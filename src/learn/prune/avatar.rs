@@ -1,7 +1,7 @@
 //! An avatar with fewer rows, by what it is in some poses.
 
 use crate::poses;
-use crate::prune::{Budget, RetainedRows, RowSubject, WIDTHS, select_rows};
+use crate::prune::{RetainedRows, RowBudget, RowSubject, WIDTHS, select_rows};
 use effigy_core::avatar::{Avatar, Pose, Rows, motion::Player};
 use effigy_core::reference::basis::corrective;
 use effigy_core::reference::mlp;
@@ -19,13 +19,13 @@ const SEED: u64 = 1;
 ///
 /// # Panics
 /// Where [`Avatar::check`] finds a fault.
-pub fn prune(avatar: &Avatar, players: &[Player], budget: Budget) -> Avatar {
+pub fn prune(avatar: &Avatar, players: &[Player], budget: RowBudget) -> Avatar {
     let poses = if players.is_empty() {
         poses::random(avatar, POSES, SEED)
     } else {
         poses::from_clips(players, POSES, 0.5)
     };
-    let features = Features::new(avatar, &poses);
+    let features = AttributeFeatures::new(avatar, &poses);
     let mean = means(avatar, &features);
     let subject = RowSubject {
         body: avatar,
@@ -49,14 +49,14 @@ pub fn prune(avatar: &Avatar, players: &[Player], budget: Budget) -> Avatar {
 }
 
 /// What the attributes of each part see of its features, over the poses.
-struct Features {
+struct AttributeFeatures {
     /// Shape N_G, N_B.
     mean: Vec<Vec<f64>>,
     /// Shape N_G, N_B, N_B.
     covariances: Vec<Vec<f64>>,
 }
 
-impl Features {
+impl AttributeFeatures {
     fn new(avatar: &Avatar, poses: &[Pose]) -> Self {
         let parts = avatar.parts.len();
         let basis = avatar.basis_len();
@@ -77,7 +77,7 @@ impl Features {
 
 /// Rotation, log scale and colour of every Gaussian, their means over the poses: correctives are
 /// linear in the features.
-fn means(avatar: &Avatar, features: &Features) -> [Vec<f32>; 3] {
+fn means(avatar: &Avatar, features: &AttributeFeatures) -> [Vec<f32>; 3] {
     fn add<const C: usize>(out: &mut Vec<f32>, neutral: [f16; C], moved: [f64; C]) {
         let sums = neutral.iter().zip(moved);
         out.extend(sums.map(|(neutral, moved)| (neutral.to_f64() + moved) as f32));

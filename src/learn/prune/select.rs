@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// How many rows to retain.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Budget {
+pub enum RowBudget {
     /// N_P rows of each of rotation, scale and colour.
     Rows(usize),
     /// For each attribute, the fewest rows that hold this share of its variance, 0 to 1.
@@ -116,7 +116,7 @@ fn divide_budget(costs: &[Vec<f64>; 3], count: usize) -> [usize; 3] {
 }
 
 /// The rows of an avatar that a budget retains, by its networks' features over the training poses.
-pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: Budget) -> RetainedRows {
+pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: RowBudget) -> RetainedRows {
     let basis = avatar.basis_len();
     let covariances = &subject.covariances;
     let starts = &avatar.parts.start;
@@ -133,11 +133,11 @@ pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: Budget) -> Ret
     let row_count: usize = gaussians.iter().map(|list| list.len()).sum();
     let mut costs = variances;
     let counts = match budget {
-        Budget::Rows(count) => [count; 3],
-        Budget::Variance(share) => [0, 1, 2].map(|a| rows_for_variance(&costs[a], share)),
+        RowBudget::Rows(count) => [count; 3],
+        RowBudget::Variance(share) => [0, 1, 2].map(|a| rows_for_variance(&costs[a], share)),
         // All or none: there is nothing to choose, and no image to draw.
-        Budget::Contribution(count) if count == 0 || count >= row_count => [count; 3],
-        Budget::Contribution(count) => {
+        RowBudget::Contribution(count) if count == 0 || count >= row_count => [count; 3],
+        RowBudget::Contribution(count) => {
             costs = image_costs(subject, avatar, gaussians, costs);
             divide_budget(&costs, count)
         }

@@ -71,14 +71,14 @@ impl Means {
 }
 
 /// Two pictures of one size, and SSIM around each pixel.
-pub struct Pair<'a> {
+pub struct PicturePair<'a> {
     image: &'a Planes,
     truth: &'a Planes,
     /// Mean of the channels.
     ssim: Vec<f64>,
 }
 
-impl<'a> Pair<'a> {
+impl<'a> PicturePair<'a> {
     pub fn new(image: &'a Planes, truth: &'a Planes) -> Self {
         let width = image.size[0];
         let plane = width * image.size[1];
@@ -150,7 +150,7 @@ mod tests {
                 image.data[channel * 200 + at] = 0.6;
             }
         }
-        let pair = Pair::new(&image, &truth);
+        let pair = PicturePair::new(&image, &truth);
         let wrong = pair.over(0..100).expect("pixels");
         let right = pair.over(160..200).expect("pixels");
         assert!((wrong.psnr_db - 20.0).abs() < 1e-4 && (wrong.l1 - 0.1).abs() < 1e-6);

@@ -108,7 +108,7 @@ fn normals(template: &Template) -> Vec<DVec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use effigy_capture::Influence;
+    use effigy_capture::VertexInfluence;
     use effigy_core::avatar::Skeleton;
 
     /// A quad that looks along z, at a height, moved by a joint. `x`: its corners' from the middle.
@@ -118,7 +118,7 @@ mod tests {
             template.vertices.push(DVec3::new(x, y, z));
             template
                 .weights
-                .push(vec![Influence { joint, weight: 1.0 }]);
+                .push(vec![VertexInfluence { joint, weight: 1.0 }]);
         }
         let turned = z < 0.0;
         for [a, b, c] in [[0, 1, 2], [0, 2, 3]] {

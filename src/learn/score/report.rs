@@ -4,8 +4,8 @@
 use super::{
     metrics::{Means, Metrics},
     regions::Region,
-    view::{Compared, Scorer},
-    views::{View, group},
+    view::{ScoredView, Scorer},
+    views::{PictureIndex, group},
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -32,7 +32,7 @@ pub struct ViewScore {
     pub camera: String,
     /// Number of the frame.
     pub frame: u32,
-    /// [`Group::name`].
+    /// [`GroupMeans::name`].
     pub group: &'static str,
     /// Over the mask's box.
     pub whole: Metrics,
@@ -42,7 +42,7 @@ pub struct ViewScore {
 
 /// The means of a group of views.
 #[derive(Clone, Debug, Serialize)]
-pub struct Group {
+pub struct GroupMeans {
     /// What was held out.
     pub name: &'static str,
     /// Over the masks' boxes.
@@ -53,11 +53,11 @@ pub struct Group {
 
 /// An evaluation.
 #[derive(Clone, Debug, Serialize)]
-pub struct Report {
+pub struct ScoreReport {
     /// How pictures were compared.
     pub protocol: Protocol,
     /// Means.
-    pub groups: Vec<Group>,
+    pub groups: Vec<GroupMeans>,
     /// Every view.
     pub views: Vec<ViewScore>,
 }
@@ -77,7 +77,7 @@ impl Scorer<'_> {
     }
 
     /// The numbers of a view with its names.
-    pub fn named(&self, view: View, compared: &Compared) -> ViewScore {
+    pub fn named(&self, view: PictureIndex, compared: &ScoredView) -> ViewScore {
         ViewScore {
             camera: self.capture.cameras[view.camera].name.clone(),
             frame: self.capture.frames[view.frame].number,
@@ -88,7 +88,7 @@ impl Scorer<'_> {
     }
 }
 
-impl Report {
+impl ScoreReport {
     /// Means of views, in the order in which their groups come first.
     pub fn new(protocol: Protocol, views: Vec<ViewScore>) -> Self {
         let mut names: Vec<&'static str> = Vec::new();
@@ -105,7 +105,7 @@ impl Report {
                     let metrics = own().filter_map(|view| view.regions.get(&region));
                     Some((region, Means::of(metrics)?))
                 });
-                Some(Group {
+                Some(GroupMeans {
                     name,
                     regions: regions.collect(),
                     whole: Means::of(own().map(|view| &view.whole))?,

@@ -2,10 +2,10 @@
 
 use super::{
     ground::Ground,
-    metrics::{FEWEST_PIXELS, Metrics, Pair},
+    metrics::{FEWEST_PIXELS, Metrics, PicturePair},
     rasterise::nearest_vertices,
     regions::{Region, regions_of},
-    views::View,
+    views::PictureIndex,
 };
 use effigy_capture::{Capture, CaptureError, Picture};
 use effigy_core::{
@@ -27,7 +27,7 @@ const MAX_SIDE: u32 = 16384;
 
 /// What is compared with a capture.
 #[derive(Clone, Copy, Debug)]
-pub enum Candidate<'a> {
+pub enum ScoredImages<'a> {
     /// An avatar with the capture's skeleton, drawn by the f64 reference.
     Avatar(&'a Avatar),
     /// A folder of PNGs: `CAMERA/00000000.png`, of the size of the capture's, drawn by its cameras
@@ -51,7 +51,7 @@ pub struct Scorer<'a> {
     /// The truth.
     pub capture: &'a Capture,
     /// What is compared with it.
-    pub candidate: Candidate<'a>,
+    pub candidate: ScoredImages<'a>,
     /// What lies behind the person.
     pub ground: Ground,
     /// Gives ST-LPIPS or LPIPS.
@@ -64,7 +64,7 @@ pub struct Scorer<'a> {
 
 /// What came out for a view.
 #[derive(Clone, Debug)]
-pub struct Compared {
+pub struct ScoredView {
     /// Over the mask's box.
     pub whole: Metrics,
     /// Over the pixels of each region that is in view, inside the mask.
@@ -84,7 +84,7 @@ impl<'a> Scorer<'a> {
     /// Prepares comparisons.
     pub fn new(
         capture: &'a Capture,
-        candidate: Candidate<'a>,
+        candidate: ScoredImages<'a>,
         ground: Ground,
         perceptual: Option<&'a Perceptual>,
     ) -> Self {
@@ -108,7 +108,7 @@ impl<'a> Scorer<'a> {
     ///
     /// # Errors
     /// When the truth can't be read.
-    pub fn rect(&self, view: View) -> Result<Option<PixelRect>, ScoreError> {
+    pub fn rect(&self, view: PictureIndex) -> Result<Option<PixelRect>, ScoreError> {
         let picture = self.capture.picture(view.camera, view.frame)?;
         Ok(mask_box(&picture).map(|own| grown(own, MARGIN, picture.size)))
     }
@@ -117,7 +117,7 @@ impl<'a> Scorer<'a> {
     ///
     /// # Errors
     /// When one of the two pictures can't be read or has another size.
-    pub fn compare(&self, view: View) -> Result<Option<Compared>, ScoreError> {
+    pub fn compare(&self, view: PictureIndex) -> Result<Option<ScoredView>, ScoreError> {
         let picture = self.capture.picture(view.camera, view.frame)?;
         let Some(mask_box) = mask_box(&picture) else {
             return Ok(None);
@@ -131,7 +131,7 @@ impl<'a> Scorer<'a> {
             max: mask_box.max - around.min,
         };
         let own = [crop(&image, within), crop(&truth, within)];
-        let pair = Pair::new(&own[0], &own[1]);
+        let pair = PicturePair::new(&own[0], &own[1]);
         let Some(mut whole) = pair.over(0..own[0].size[0] * own[0].size[1]) else {
             return Ok(None);
         };
@@ -139,7 +139,7 @@ impl<'a> Scorer<'a> {
             whole.see(perceptual, &own[0], &own[1]);
         }
         let regions = self.regions(view, &picture, mask_box, &pair, &[&image, &truth], around);
-        Ok(Some(Compared {
+        Ok(Some(ScoredView {
             whole,
             regions,
             rect: around,
@@ -149,11 +149,11 @@ impl<'a> Scorer<'a> {
     }
 
     /// The candidate's picture of a view: a part of it.
-    fn image(&self, view: View, rect: PixelRect) -> Result<FrameImage, ScoreError> {
+    fn image(&self, view: PictureIndex, rect: PixelRect) -> Result<FrameImage, ScoreError> {
         let camera = &self.capture.cameras[view.camera];
         let frame = &self.capture.frames[view.frame];
         match self.candidate {
-            Candidate::Avatar(avatar) => {
+            ScoredImages::Avatar(avatar) => {
                 let posed = Posed::new(avatar, &fitted(&frame.pose, avatar));
                 Ok(reference::render(
                     avatar,
@@ -161,7 +161,7 @@ impl<'a> Scorer<'a> {
                     &camera.camera.cropped(rect),
                 ))
             }
-            Candidate::Pictures(folder) => {
+            ScoredImages::Pictures(folder) => {
                 let file = folder
                     .join(&camera.name)
                     .join(format!("{:08}.png", frame.number));
@@ -175,10 +175,10 @@ impl<'a> Scorer<'a> {
     /// box `around`.
     fn regions(
         &self,
-        view: View,
+        view: PictureIndex,
         picture: &Picture,
         mask_box: PixelRect,
-        pair: &Pair,
+        pair: &PicturePair,
         pictures: &[&Planes; 2],
         around: PixelRect,
     ) -> BTreeMap<Region, Metrics> {

@@ -6,7 +6,7 @@ use effigy_math::sampling::evenly_spaced;
 
 /// A camera's picture of a frame, by index into the capture's lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct View {
+pub struct PictureIndex {
     /// Index of the camera.
     pub camera: usize,
     /// Index of the frame.
@@ -25,7 +25,7 @@ pub struct ViewChoice {
 }
 
 /// The names of a view's group: whether its camera, and whether its frame was held out.
-pub fn group(capture: &Capture, view: View) -> &'static str {
+pub fn group(capture: &Capture, view: PictureIndex) -> &'static str {
     let camera = capture.cameras[view.camera].held;
     match (camera, capture.frames[view.frame].held) {
         (false, false) => "training",
@@ -36,7 +36,7 @@ pub fn group(capture: &Capture, view: View) -> &'static str {
 }
 
 /// Views of every group, evenly spaced over its cameras and frames.
-pub fn choose(capture: &Capture, choice: &ViewChoice) -> Vec<View> {
+pub fn choose(capture: &Capture, choice: &ViewChoice) -> Vec<PictureIndex> {
     let mut views = Vec::new();
     for camera_held in [false, true] {
         let all = 0..capture.cameras.len();
@@ -54,7 +54,7 @@ pub fn choose(capture: &Capture, choice: &ViewChoice) -> Vec<View> {
             for camera in evenly_spaced(&cameras, choice.cameras) {
                 for frame in evenly_spaced(&frames, choice.frames) {
                     if capture.has(camera, frame) {
-                        views.push(View { camera, frame });
+                        views.push(PictureIndex { camera, frame });
                     }
                 }
             }

@@ -1,7 +1,7 @@
 //! Device memory of the training.
 
-use crate::parameters::{BASIS, Layout, Parameters};
-use crate::topology::{Follower, Rows, Topology};
+use crate::parameters::{BASIS, ParameterLayout, Parameters};
+use crate::topology::{CorrectiveRows, Follower, Topology};
 use bytemuck::{Pod, cast_slice};
 use effigy::vulkan::Gpu;
 use effigy::vulkan::Result;
@@ -60,14 +60,14 @@ pub(super) struct Learned {
     pub nodes: Buffer,
     pub networks: Buffer,
     pub bases: Buffer,
-    layout: Layout,
+    layout: ParameterLayout,
 }
 
 impl Learned {
     pub fn new(
         gpu: &Arc<Gpu>,
         name: &'static str,
-        layout: &Layout,
+        layout: &ParameterLayout,
         numbers: &Parameters<f32>,
     ) -> Result<Self> {
         Ok(Self {
@@ -105,7 +105,7 @@ impl Learned {
     }
 }
 
-/// What stays as it is, on the device.
+/// The topology, on the device.
 pub(super) struct Fixed {
     /// Three vectors a Gaussian (`shaders/train/gaussian.glsl`).
     pub gaussians: Buffer,
@@ -115,18 +115,18 @@ pub(super) struct Fixed {
     pub node_part: Buffer,
     /// Where each node's followers begin.
     pub node_starts: Buffer,
-    /// Who follows each node, and by how much.
+    /// The Gaussians that follow each node, and their weights.
     pub followers: Buffer,
     /// Gaussians and nodes of each part.
     pub members: Buffer,
     /// Where each joint's Gaussians begin.
     pub joint_starts: Buffer,
-    /// Whom each joint moves, and by how much.
+    /// The Gaussians that each joint moves, and their weights.
     pub moved: Buffer,
 }
 
 impl Fixed {
-    pub fn new(gpu: &Arc<Gpu>, topology: &Topology, rows: &Rows) -> Result<Self> {
+    pub fn new(gpu: &Arc<Gpu>, topology: &Topology, rows: &CorrectiveRows) -> Result<Self> {
         let mut gaussians: Vec<u32> = Vec::with_capacity(12 * topology.gaussians.len());
         let mut row_words: Vec<u32> = Vec::with_capacity(4 * topology.gaussians.len());
         for (k, placed) in topology.gaussians.iter().enumerate() {

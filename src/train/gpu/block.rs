@@ -3,9 +3,9 @@
 use super::tiling::BandTiling;
 use crate::adam::{Adam, Rates};
 use crate::loss::LossWeights;
-use crate::parameters::Layout;
+use crate::parameters::ParameterLayout;
 use crate::topology::Topology;
-use crate::view::View;
+use crate::view::TrainingView;
 use bytemuck::{Pod, Zeroable};
 use effigy_core::avatar::Activation;
 use effigy_core::constants::LEAKY_SLOPE;
@@ -185,8 +185,8 @@ pub(super) struct Updates {
 impl ViewBlock {
     pub(super) fn new(
         topology: &Topology,
-        layout: &Layout,
-        view: &View,
+        layout: &ParameterLayout,
+        view: &TrainingView,
         options: &StepOptions,
         tiling: BandTiling,
         band: ViewBand,
@@ -220,7 +220,7 @@ fn floats<const N: usize>(numbers: impl Into<[f64; N]>) -> [f32; N] {
 }
 
 impl CameraBlock {
-    fn new(view: &View) -> Self {
+    fn new(view: &TrainingView) -> Self {
         let camera = &view.camera;
         let matrix = camera.view.matrix3;
         let row = |axis: usize| {
@@ -256,7 +256,7 @@ impl LowPassBlock {
 }
 
 impl LossBlock {
-    fn new(weights: &LossWeights, gaussians: usize, view: &View, band: ViewBand) -> Self {
+    fn new(weights: &LossWeights, gaussians: usize, view: &TrainingView, band: ViewBand) -> Self {
         let views = band.views as f64;
         let channels = 3.0 * view.whole as f64;
         let count = gaussians as f64;
@@ -294,7 +294,7 @@ impl ImageBlock {
 }
 
 impl NetworkBlock {
-    fn new(topology: &Topology, layout: &Layout) -> Self {
+    fn new(topology: &Topology, layout: &ParameterLayout) -> Self {
         let mut block = Self {
             inputs: topology.widths[0] as u32,
             expression_start: topology.expression_start as u32,

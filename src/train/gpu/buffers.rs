@@ -4,8 +4,8 @@ use super::arrays::{Fixed, Learned, filled, read, words, written};
 use super::block::STRIDE;
 use super::state::TrainerState;
 use super::tiling::{BandTiling, MAX_BANDS};
-use crate::parameters::Layout;
-use crate::topology::{Rows, Topology};
+use crate::parameters::ParameterLayout;
+use crate::topology::{CorrectiveRows, Topology};
 use effigy::vulkan::compute::{
     Buffer, BufferUsageFlags, MemoryLocation, Slice, Sort, SortOptions, without_test,
 };
@@ -71,7 +71,12 @@ pub(super) struct BatchBuffers {
 }
 
 impl BatchBuffers {
-    fn new(gpu: &Arc<Gpu>, topology: &Topology, layout: &Layout, batch: Batch) -> Result<Self> {
+    fn new(
+        gpu: &Arc<Gpu>,
+        topology: &Topology,
+        layout: &ParameterLayout,
+        batch: Batch,
+    ) -> Result<Self> {
         let Batch { views, .. } = batch;
         let widths: usize = topology.widths[1..].iter().sum();
         let activations = widths * layout.parts * views;
@@ -146,7 +151,7 @@ impl ViewBuffers {
 }
 
 /// All memory whose size does not depend on the number of pairs.
-pub(super) struct Buffers {
+pub(super) struct TrainerBuffers {
     pub inputs: HostInputs,
     pub batch: BatchBuffers,
     pub view: ViewBuffers,
@@ -156,15 +161,15 @@ pub(super) struct Buffers {
     pub second_moments: Learned,
 }
 
-impl Buffers {
+impl TrainerBuffers {
     pub fn new(
         gpu: &Arc<Gpu>,
         topology: &Topology,
-        rows: &Rows,
+        rows: &CorrectiveRows,
         state: &TrainerState,
         batch: Batch,
     ) -> Result<Self> {
-        let layout = Layout::new(topology, rows);
+        let layout = ParameterLayout::new(topology, rows);
         let learned = |name, numbers| Learned::new(gpu, name, &layout, numbers);
         Ok(Self {
             view: ViewBuffers::new(gpu, layout.gaussians, batch)?,

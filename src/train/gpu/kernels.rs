@@ -1,9 +1,9 @@
 //! The kernels, and one table of what each binds.
 
-use super::buffers::{Buffers, PairBuffers};
+use super::buffers::{PairBuffers, TrainerBuffers};
 use super::shaders;
 use super::tiling::TileShape;
-use crate::parameters::Layout;
+use crate::parameters::ParameterLayout;
 use effigy::vulkan::compute::{Kernel, Launch, Module, Resources, Slice};
 use effigy::vulkan::{Gpu, Result};
 use std::sync::Arc;
@@ -11,20 +11,20 @@ use std::sync::Arc;
 /// All that kernels are made from.
 pub(super) struct KernelSource<'a> {
     pub gpu: &'a Arc<Gpu>,
-    pub buffers: &'a Buffers,
+    pub buffers: &'a TrainerBuffers,
     pub pairs: &'a PairBuffers,
-    pub layout: &'a Layout,
+    pub layout: &'a ParameterLayout,
     pub shape: TileShape,
 }
 
-/// Makes [`Binding`] from rows of a name, the names of its array in shaders, and its memory.
+/// Makes [`BoundMemory`] from rows of a name, the names of its array in shaders, and its memory.
 macro_rules! bindings {
     ($($name:ident [$($array:literal),+] = $memory:expr;)*) => {
         /// What a kernel binds.
         #[derive(Clone, Copy, Debug)]
-        enum Binding { $($name),* }
+        enum BoundMemory { $($name),* }
 
-        impl Binding {
+        impl BoundMemory {
             fn slice(self, source: &KernelSource) -> Slice {
                 match self { $(Self::$name => slice(source, $memory),)* }
             }
@@ -132,7 +132,7 @@ impl KernelSource<'_> {
     fn kernel(
         &self,
         module: &'static Module,
-        bindings: &[Binding],
+        bindings: &[BoundMemory],
         constants: &[Constant],
     ) -> Result<Kernel> {
         let slices: Vec<Slice> = bindings.iter().map(|own| own.slice(self)).collect();
@@ -160,15 +160,15 @@ macro_rules! kernels {
                 Ok(Self {
                     $($field: source.kernel(
                         &shaders::$module,
-                        &[$(Binding::$binding),*],
+                        &[$(BoundMemory::$binding),*],
                         &[$(Constant::$constant),*],
                     )?),*
                 })
             }
 
             #[cfg(test)]
-            fn table() -> Vec<(&'static Module, Vec<Binding>)> {
-                vec![$((&shaders::$module, vec![$(Binding::$binding),*])),*]
+            fn table() -> Vec<(&'static Module, Vec<BoundMemory>)> {
+                vec![$((&shaders::$module, vec![$(BoundMemory::$binding),*])),*]
             }
         }
     };

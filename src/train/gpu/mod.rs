@@ -23,4 +23,4 @@ mod trainer;
 pub use block::{StepOptions, ViewBlock};
 pub use state::TrainerState;
 pub use tiling::TileShape;
-pub use trainer::{StepReport, Trainer, memory_bytes};
+pub use trainer::{StepLosses, Trainer, memory_bytes};

@@ -1,6 +1,6 @@
 //! What a training has learned so far.
 
-use crate::parameters::{Layout, Parameters};
+use crate::parameters::{ParameterLayout, Parameters};
 
 /// What a training has learned so far, and in how many steps: all that a checkpoint needs of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct TrainerState {
 
 impl TrainerState {
     /// The start of a training.
-    pub fn new(layout: &Layout, parameters: Parameters<f32>) -> Self {
+    pub fn new(layout: &ParameterLayout, parameters: Parameters<f32>) -> Self {
         Self {
             parameters,
             first_moments: Parameters::zeros(layout),

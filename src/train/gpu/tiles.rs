@@ -1,9 +1,9 @@
 //! From splats to an image and back: pairs of splats and tiles, in order.
 
-use super::buffers::{Buffers, PairBuffers};
+use super::buffers::{PairBuffers, TrainerBuffers};
 use super::kernels::{KernelSource, PairKernels};
 use super::tiling::{BandTiling, TileShape};
-use crate::parameters::Layout;
+use crate::parameters::ParameterLayout;
 use effigy::vulkan::compute::{Recording, Scope};
 use effigy::vulkan::{Gpu, Result};
 use effigy_core::layout::{TRAIN_BLOCK, TRAIN_WORKGROUP};
@@ -22,8 +22,8 @@ pub(super) struct PairStage {
 impl PairStage {
     pub fn new(
         gpu: &Arc<Gpu>,
-        buffers: &Buffers,
-        layout: &Layout,
+        buffers: &TrainerBuffers,
+        layout: &ParameterLayout,
         shape: TileShape,
         tiling: BandTiling,
         size: [u32; 2],

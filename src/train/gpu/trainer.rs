@@ -1,14 +1,14 @@
 //! The steps of a training on a device.
 
 use super::block::{STRIDE, StepOptions, Updates, ViewBand, ViewBlock};
-use super::buffers::{Batch, Buffers, LossSums, groups};
+use super::buffers::{Batch, LossSums, TrainerBuffers, groups};
 use super::kernels::{KernelSource, Kernels};
 use super::state::TrainerState;
 use super::tiles::PairStage;
 use super::tiling::{BandTiling, MAX_BANDS, TileShape};
-use crate::parameters::{Layout, Parameters};
-use crate::topology::{Rows, Topology};
-use crate::view::View;
+use crate::parameters::{ParameterLayout, Parameters};
+use crate::topology::{CorrectiveRows, Topology};
+use crate::view::TrainingView;
 use bytemuck::{bytes_of, cast_slice};
 use effigy::vulkan::compute::{Buffer, Recording, Scope};
 use effigy::vulkan::{Error, Gpu, Result};
@@ -29,7 +29,7 @@ const LAYERS: usize = 4;
 
 /// The losses of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StepReport {
+pub struct StepLosses {
     /// Mean of |image − picture| over all channels of all pixels of all views, before the step.
     pub l1: f64,
     /// Mean of its square.
@@ -47,10 +47,10 @@ pub struct Trainer {
     // Kernels go before what they are bound to.
     kernels: Kernels,
     pairs: PairStage,
-    buffers: Buffers,
+    buffers: TrainerBuffers,
     gpu: Arc<Gpu>,
     topology: Topology,
-    layout: Layout,
+    layout: ParameterLayout,
     shape: TileShape,
     batch: Batch,
     steps: u64,
@@ -68,7 +68,7 @@ impl Trainer {
     pub fn new(
         gpu: &Arc<Gpu>,
         topology: &Topology,
-        rows: &Rows,
+        rows: &CorrectiveRows,
         state: &TrainerState,
         size: [u32; 2],
         views: usize,
@@ -83,7 +83,7 @@ impl Trainer {
     pub fn with_shape(
         gpu: &Arc<Gpu>,
         topology: &Topology,
-        rows: &Rows,
+        rows: &CorrectiveRows,
         state: &TrainerState,
         size: [u32; 2],
         views: usize,
@@ -91,8 +91,8 @@ impl Trainer {
     ) -> Result<Self> {
         check(gpu, topology, size)?;
         let batch = Batch { size, views };
-        let layout = Layout::new(topology, rows);
-        let buffers = Buffers::new(gpu, topology, rows, state, batch)?;
+        let layout = ParameterLayout::new(topology, rows);
+        let buffers = TrainerBuffers::new(gpu, topology, rows, state, batch)?;
         let tiling = BandTiling {
             side: shape.side,
             pairs: (PAIRS_PER_GAUSSIAN * layout.gaussians as u32)
@@ -149,7 +149,7 @@ impl Trainer {
     /// # Panics
     /// When there are no views or more than the trainer was made for, or a view has another size or
     /// avatar.
-    pub fn step(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
+    pub fn step(&mut self, views: &[TrainingView], options: &StepOptions) -> Result<StepLosses> {
         self.assert_fits(views);
         loop {
             self.write(views, options);
@@ -169,7 +169,7 @@ impl Trainer {
     ///
     /// # Panics
     /// Those of [`Self::step`].
-    pub fn look(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
+    pub fn look(&mut self, views: &[TrainingView], options: &StepOptions) -> Result<StepLosses> {
         self.assert_fits(views);
         loop {
             self.write(views, options);
@@ -193,11 +193,11 @@ impl Trainer {
     /// Where [`Self::step`] does, or a derivative has not the image's length.
     pub fn step_with_image_loss(
         &mut self,
-        views: &[View],
+        views: &[TrainingView],
         options: &StepOptions,
         stop: &AtomicBool,
         mut image_loss: impl FnMut(usize, &[[f32; 3]]) -> Option<Vec<[f32; 3]>>,
-    ) -> Result<Option<StepReport>> {
+    ) -> Result<Option<StepLosses>> {
         self.assert_fits(views);
         self.write(views, options);
         for (number, view) in views.iter().enumerate() {
@@ -243,7 +243,11 @@ impl Trainer {
     }
 
     /// The images of views over their backgrounds, RGB, as training sees them.
-    pub fn images(&mut self, views: &[View], options: &StepOptions) -> Result<Vec<Vec<[f32; 3]>>> {
+    pub fn images(
+        &mut self,
+        views: &[TrainingView],
+        options: &StepOptions,
+    ) -> Result<Vec<Vec<[f32; 3]>>> {
         loop {
             self.write(views, options);
             let mut images = Vec::new();
@@ -264,7 +268,7 @@ impl Trainer {
         }
     }
 
-    fn assert_fits(&self, views: &[View]) {
+    fn assert_fits(&self, views: &[TrainingView]) {
         assert!(
             (1..=self.batch.views).contains(&views.len()),
             "a step of {} views, made for 1 to {}",
@@ -290,8 +294,13 @@ fn offset_of(number: usize, band: u32) -> u32 {
 
 /// Device memory of a training, bytes, before the capacity for pairs grows. `size`: of every view,
 /// px; `views`: of a step.
-pub fn memory_bytes(topology: &Topology, rows: &Rows, size: [u32; 2], views: usize) -> u64 {
-    let layout = Layout::new(topology, rows);
+pub fn memory_bytes(
+    topology: &Topology,
+    rows: &CorrectiveRows,
+    size: [u32; 2],
+    views: usize,
+) -> u64 {
+    let layout = ParameterLayout::new(topology, rows);
     let pixels = size[0] as usize * size[1] as usize;
     let learned: usize = layout.lengths().iter().sum();
     let widths: usize = topology.widths[1..].iter().sum();
@@ -353,7 +362,7 @@ fn check(gpu: &Gpu, topology: &Topology, size: [u32; 2]) -> Result<()> {
 
 impl Trainer {
     /// Writes the host's inputs for some views.
-    fn write(&mut self, views: &[View], options: &StepOptions) {
+    fn write(&mut self, views: &[TrainingView], options: &StepOptions) {
         let mut joints: Vec<f32> = Vec::new();
         let mut inputs: Vec<f32> = Vec::new();
         let mut pictures: Vec<[u8; 4]> = Vec::new();
@@ -375,7 +384,7 @@ impl Trainer {
     /// Writes the blocks of a view's bands. `has_image_loss`: see [`ViewBand`].
     fn write_block(
         &mut self,
-        views: &[View],
+        views: &[TrainingView],
         number: usize,
         options: &StepOptions,
         has_image_loss: bool,
@@ -565,14 +574,14 @@ impl Trainer {
     }
 
     /// Counts a step, and reports its losses.
-    fn finish(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
+    fn finish(&mut self, views: &[TrainingView], options: &StepOptions) -> Result<StepLosses> {
         self.steps += 1;
         self.corrective_steps += u64::from(options.correctives);
         Ok(self.report(views))
     }
 
     /// The losses of some views.
-    fn report(&mut self, views: &[View]) -> StepReport {
+    fn report(&mut self, views: &[TrainingView]) -> StepLosses {
         let [pairs, empty_views, ..] = self.status();
         let pixels = self.batch.pixels();
         let channels = 3.0 * (pixels * views.len()) as f64;
@@ -580,7 +589,7 @@ impl Trainer {
             sums.iter().map(|sum| f64::from(sum[at])).sum::<f64>() / channels
         };
         let sums = self.loss_sums(0..views.len());
-        StepReport {
+        StepLosses {
             l1: mean(sums, 0),
             squared: mean(sums, 1),
             pairs,
@@ -630,7 +639,7 @@ impl Trainer {
     }
 
     /// The last image over what is behind the avatar in a view.
-    fn image(&self, view: &View) -> Result<Vec<[f32; 3]>> {
+    fn image(&self, view: &TrainingView) -> Result<Vec<[f32; 3]>> {
         let pixels = self.batch.pixels();
         let bytes = self.buffers.view.image.download(16 * pixels)?;
         let drawn: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);

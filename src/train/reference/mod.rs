@@ -4,9 +4,9 @@
 //! Tests compare the kernels with this, and this with finite differences of the loss.
 
 use crate::loss::LossWeights;
-use crate::parameters::{BASIS, COMPONENTS, GAUSSIAN, Layout, Parameters, sigmoid};
-use crate::topology::{Rows, Topology};
-use crate::view::{Shows, View};
+use crate::parameters::{BASIS, COMPONENTS, GAUSSIAN, ParameterLayout, Parameters, sigmoid};
+use crate::topology::{CorrectiveRows, Topology};
+use crate::view::{Shows, TrainingView};
 use effigy_core::avatar::matrix::Row;
 use effigy_core::reference::basis::{combine, combine_backward};
 use effigy_core::reference::mlp::{Neuron, activate, activate_backward, linear, linear_backward};
@@ -26,9 +26,9 @@ pub struct Problem<'a> {
     /// What stays as it is.
     pub topology: &'a Topology,
     /// Which Gaussians have correctives.
-    pub rows: &'a Rows,
+    pub rows: &'a CorrectiveRows,
     /// Where what is learned lies.
-    pub layout: &'a Layout,
+    pub layout: &'a ParameterLayout,
     /// Weights of the losses.
     pub weights: &'a LossWeights,
     /// Whether there are correctives at all.
@@ -63,7 +63,7 @@ pub struct Forward {
 
 impl Problem<'_> {
     /// Runs the stages for a view.
-    pub fn forward(&self, p: &Parameters<f64>, view: &View) -> Forward {
+    pub fn forward(&self, p: &Parameters<f64>, view: &TrainingView) -> Forward {
         let topology = self.topology;
         let count = topology.gaussians.len();
         let activations: Vec<Vec<Vec<f64>>> = (0..topology.parts())
@@ -170,7 +170,7 @@ impl Problem<'_> {
     }
 
     /// The loss of some views: the mean over them.
-    pub fn loss(&self, p: &Parameters<f64>, views: &[View]) -> f64 {
+    pub fn loss(&self, p: &Parameters<f64>, views: &[TrainingView]) -> f64 {
         let all = views.iter().map(|view| {
             let forward = self.forward(p, view);
             self.picture_loss(&forward.canvas, view) + self.other_losses(&forward)
@@ -179,7 +179,7 @@ impl Problem<'_> {
     }
 
     /// The derivative of [`Self::loss`] with respect to everything that is learned.
-    pub fn gradient(&self, p: &Parameters<f64>, views: &[View]) -> Parameters<f64> {
+    pub fn gradient(&self, p: &Parameters<f64>, views: &[TrainingView]) -> Parameters<f64> {
         let mut total = Parameters::zeros(self.layout);
         for view in views {
             let forward = self.forward(p, view);
@@ -198,7 +198,7 @@ impl Problem<'_> {
     pub fn backward(
         &self,
         p: &Parameters<f64>,
-        view: &View,
+        view: &TrainingView,
         forward: &Forward,
         of_canvas: &[[f64; 4]],
         total: &mut Parameters<f64>,
@@ -324,7 +324,7 @@ impl Problem<'_> {
     /// The derivative of a loss of the image with respect to each posed Gaussian.
     fn of_gaussians(
         &self,
-        view: &View,
+        view: &TrainingView,
         forward: &Forward,
         of_canvas: &[[f64; 4]],
     ) -> Vec<GaussianGradient> {
@@ -355,7 +355,7 @@ impl Problem<'_> {
     /// are held fixed.
     pub fn joints_gradient(
         &self,
-        view: &View,
+        view: &TrainingView,
         forward: &Forward,
         of_canvas: &[[f64; 4]],
     ) -> Vec<DAffine3> {
@@ -384,7 +384,7 @@ impl Problem<'_> {
     }
 
     /// The input of a part's network.
-    fn entered(&self, view: &View, part: usize) -> Vec<f64> {
+    fn entered(&self, view: &TrainingView, part: usize) -> Vec<f64> {
         let mut entered = view.input.clone();
         if part >= self.topology.head_parts {
             entered[self.topology.expression_start..].fill(0.0);
@@ -423,7 +423,7 @@ impl Problem<'_> {
     fn network_backward(
         &self,
         p: &Parameters<f64>,
-        view: &View,
+        view: &TrainingView,
         part: usize,
         activations: &[Vec<f64>],
         of_features: &[f64],
@@ -455,7 +455,7 @@ impl Problem<'_> {
     }
 
     /// Mean of |image over background − picture|, weighted.
-    fn picture_loss(&self, canvas: &Canvas, view: &View) -> f64 {
+    fn picture_loss(&self, canvas: &Canvas, view: &TrainingView) -> f64 {
         let sum: f64 = (0..canvas.pixels.len())
             .map(|at| difference(canvas, view, at).map_or(0.0, |d| d.abs().element_sum()))
             .sum();
@@ -463,7 +463,7 @@ impl Problem<'_> {
     }
 
     /// The derivative of the picture's loss with respect to the canvas.
-    pub fn picture_loss_backward(&self, canvas: &Canvas, view: &View) -> Vec<[f64; 4]> {
+    pub fn picture_loss_backward(&self, canvas: &Canvas, view: &TrainingView) -> Vec<[f64; 4]> {
         let weight = self.weights.l1 / (3.0 * view.whole as f64);
         (0..canvas.pixels.len())
             .map(|at| {
@@ -485,7 +485,7 @@ impl Problem<'_> {
     }
 
     /// The derivative of the picture's loss with respect to the view's gain, RGB.
-    pub fn gain_gradient(&self, canvas: &Canvas, view: &View) -> DVec3 {
+    pub fn gain_gradient(&self, canvas: &Canvas, view: &TrainingView) -> DVec3 {
         let of_canvas = self.picture_loss_backward(canvas, view);
         let pairs = of_canvas.iter().zip(&canvas.pixels);
         let sum: DVec3 = pairs
@@ -531,13 +531,13 @@ fn sign(x: f64) -> f64 {
 }
 
 /// A pixel of the image over its background.
-fn over(canvas: &Canvas, view: &View, at: usize) -> DVec3 {
+fn over(canvas: &Canvas, view: &TrainingView, at: usize) -> DVec3 {
     let [r, g, b, coverage] = canvas.pixels[at];
     view.gain * DVec3::new(r, g, b) + (1.0 - coverage) * view.picture.background(at)
 }
 
 /// Image minus picture at a pixel; None where the picture is unknown.
-fn difference(canvas: &Canvas, view: &View, at: usize) -> Option<DVec3> {
+fn difference(canvas: &Canvas, view: &TrainingView, at: usize) -> Option<DVec3> {
     if view.picture.shows(at) == Shows::Unknown {
         return None;
     }

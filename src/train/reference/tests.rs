@@ -1,8 +1,8 @@
 //! The derivative against differences of the loss, with the smooth cutoff.
 
 use super::*;
-use crate::topology::{Follower, Placed};
-use crate::view::Picture;
+use crate::topology::{Follower, PlacedGaussian};
+use crate::view::ViewPicture;
 use effigy_core::avatar::{Activation, Filter};
 use effigy_core::random::Random;
 use effigy_core::scene::Camera;
@@ -12,19 +12,19 @@ const SIZE: [u32; 2] = [24, 20];
 const JOINTS: usize = 3;
 
 /// A few Gaussians that overlap in front of a camera.
-struct Scene {
+struct TestScene {
     topology: Topology,
-    rows: Rows,
-    layout: Layout,
+    rows: CorrectiveRows,
+    layout: ParameterLayout,
     parameters: Parameters<f64>,
-    views: Vec<View>,
+    views: Vec<TrainingView>,
 }
 
 const GAUSSIANS: usize = 30;
 const PARTS: usize = 3;
 const NODES: usize = 7;
 
-impl Scene {
+impl TestScene {
     fn new(seed: u64, filter: Filter) -> Self {
         let mut random = Random::new(seed, 0);
         let topology = topology(&mut random, filter);
@@ -34,10 +34,10 @@ impl Scene {
                 .filter(|k| k % step as u32 != 1)
                 .collect()
         };
-        let rows = Rows {
+        let rows = CorrectiveRows {
             gaussian: [keep(3), keep(4), keep(5)],
         };
-        let layout = Layout::new(&topology, &rows);
+        let layout = ParameterLayout::new(&topology, &rows);
         let parameters = parameters(&mut random, &layout);
         let views = (0..2).map(|v| view(&mut random, v)).collect();
         Self {
@@ -83,11 +83,11 @@ fn topology(random: &mut Random, filter: Filter) -> Topology {
             random.range(-0.2, 0.2),
         )
     };
-    let gaussians: Vec<Placed> = (0..GAUSSIANS)
+    let gaussians: Vec<PlacedGaussian> = (0..GAUSSIANS)
         .map(|k| {
             let weights = [0, 1, 2].map(|_| random.range(0.1, 1.0));
             let sum: f64 = weights.iter().sum();
-            Placed {
+            PlacedGaussian {
                 position: position(random),
                 node: std::array::from_fn(|c| ((k + 2 * c) % NODES) as u16),
                 node_weight: weights.map(|w| w / sum),
@@ -126,7 +126,7 @@ fn topology(random: &mut Random, filter: Filter) -> Topology {
     }
 }
 
-fn parameters(random: &mut Random, layout: &Layout) -> Parameters<f64> {
+fn parameters(random: &mut Random, layout: &ParameterLayout) -> Parameters<f64> {
     let mut parameters = Parameters::zeros(layout);
     for numbers in parameters.gaussians.chunks_exact_mut(GAUSSIAN) {
         for number in &mut numbers[..4] {
@@ -154,7 +154,7 @@ fn parameters(random: &mut Random, layout: &Layout) -> Parameters<f64> {
 }
 
 /// A view from a side of its own.
-fn view(random: &mut Random, number: u32) -> View {
+fn view(random: &mut Random, number: u32) -> TrainingView {
     let yaw = 0.7 * f64::from(number) - 0.2;
     let pixels = (0..SIZE[0] * SIZE[1])
         .map(|at| {
@@ -166,7 +166,7 @@ fn view(random: &mut Random, number: u32) -> View {
     let behind = (0..SIZE[0] * SIZE[1])
         .map(|at| [77, 153, (at % 100) as u8, 0])
         .collect();
-    View {
+    TrainingView {
         joints: (0..JOINTS)
             .map(|_| {
                 let mut joint = DAffine3::from_translation(0.05 * random.direction());
@@ -179,7 +179,7 @@ fn view(random: &mut Random, number: u32) -> View {
         camera: Camera::orbit(DVec3::ZERO, yaw, 0.1, 2.0, 0.5, SIZE),
         gain: DVec3::new(1.1, 0.9, 0.95),
         whole: 2 * u64::from(SIZE[0] * SIZE[1]),
-        picture: Arc::new(Picture {
+        picture: Arc::new(ViewPicture {
             size: SIZE,
             pixels,
             behind,
@@ -209,7 +209,7 @@ fn it_is_the_slope_along_random_directions_of_everything() {
         (2, Filter::ANTIALIASED),
         (3, Filter::DEFAULT),
     ] {
-        let scene = Scene::new(seed, filter);
+        let scene = TestScene::new(seed, filter);
         let problem = scene.problem(&WEIGHTS);
         let gradient = problem.gradient(&scene.parameters, &scene.views);
         let mut random = Random::new(seed, 1);
@@ -232,7 +232,7 @@ fn it_is_the_slope_along_random_directions_of_everything() {
 
 #[test]
 fn it_is_the_slope_of_single_numbers() {
-    let scene = Scene::new(4, Filter::ANTIALIASED);
+    let scene = TestScene::new(4, Filter::ANTIALIASED);
     let problem = scene.problem(&WEIGHTS);
     let gradient = problem.gradient(&scene.parameters, &scene.views);
     let mut random = Random::new(9, 1);
@@ -256,7 +256,7 @@ fn it_is_the_slope_of_single_numbers() {
 
 #[test]
 fn without_correctives_only_neutral_numbers_have_a_derivative() {
-    let scene = Scene::new(5, Filter::DEFAULT);
+    let scene = TestScene::new(5, Filter::DEFAULT);
     let problem = Problem {
         correctives: false,
         ..scene.problem(&WEIGHTS)
@@ -288,7 +288,7 @@ fn without_correctives_only_neutral_numbers_have_a_derivative() {
 
 #[test]
 fn a_gain_has_the_slope_of_the_loss() {
-    let scene = Scene::new(6, Filter::DEFAULT);
+    let scene = TestScene::new(6, Filter::DEFAULT);
     let problem = scene.problem(&WEIGHTS);
     let view = &scene.views[0];
     let forward = problem.forward(&scene.parameters, view);
@@ -309,7 +309,7 @@ fn a_gain_has_the_slope_of_the_loss() {
 
 #[test]
 fn joints_have_the_slope_of_differences() {
-    let scene = Scene::new(5, Filter::ANTIALIASED);
+    let scene = TestScene::new(5, Filter::ANTIALIASED);
     let problem = scene.problem(&WEIGHTS);
     let view = &scene.views[0];
     let forward = problem.forward(&scene.parameters, view);

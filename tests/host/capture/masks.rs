@@ -1,7 +1,7 @@
 //! Masks of every kind that people have, made of one sound capture's.
 
 use super::{FOLDER, copied};
-use effigy_capture::{Capture, Reason};
+use effigy_capture::{Capture, OmissionReason};
 use image::{
     DynamicImage, GrayImage, ImageBuffer, ImageFormat, Luma, Rgb, RgbImage, Rgba, RgbaImage,
 };
@@ -258,7 +258,10 @@ fn one_inverted_mask_turns_no_others() {
     let [ref fault] = capture.masks.faults[..] else {
         panic!("{:?}", capture.masks)
     };
-    assert!(matches!(fault.reason, Reason::InvertedMask), "{fault}");
+    assert!(
+        matches!(fault.reason, OmissionReason::InvertedMask),
+        "{fault}"
+    );
 }
 
 /// Of more cameras than masks are looked at, too, each is looked at.
@@ -375,7 +378,7 @@ fn noise_around_black_and_white_changes_nothing() {
     let capture = Capture::read(folder.path()).unwrap();
     assert!(read(&capture)[0].iter().all(|&part| part == 0));
     let found = &capture.masks.faults[0].reason;
-    assert_eq!(*found, Reason::EmptyMask { highest: 2 });
+    assert_eq!(*found, OmissionReason::EmptyMask { highest: 2 });
 }
 
 tests! {

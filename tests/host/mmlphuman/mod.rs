@@ -14,7 +14,7 @@ use effigy_formats::{
 };
 use effigy_learn::{
     distil::{AnchorFeatures, DistilOptions, Distilled, SampleOptions, Teacher, distil},
-    prune::Budget,
+    prune::RowBudget,
 };
 use glam::{DMat3, DVec3};
 use serde::Deserialize;
@@ -165,7 +165,7 @@ fn options(rows: usize) -> DistilOptions {
         },
         basis: 16,
         epochs: 160,
-        budget: Budget::Rows(rows),
+        budget: RowBudget::Rows(rows),
         seed: 1,
     }
 }

@@ -1,9 +1,9 @@
 //! The head: where its hair, brows, lips, iris and skin tones are.
 
-use crate::bake::body::{Body, BodyShape, Person};
+use crate::bake::body::{BakedBody, BodyShape, Person};
 use crate::bake::joints::{is_hand, is_head};
 use crate::bake::outfit::palette;
-use crate::bake::source::masks::Masks;
+use crate::bake::source::masks::SurfaceMasks;
 use crate::bake::style::Style;
 use crate::bake::surface::{Material, Sheet, Site};
 use effigy_math::color::linear;
@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 /// Landmarks of the head, metres in the rest pose.
 #[derive(Clone, Debug)]
 pub struct Face {
-    masks: Masks,
+    masks: SurfaceMasks,
     shape: BodyShape,
     style: &'static Style,
     /// The left eye's centre; the right one mirrors it.
@@ -26,7 +26,7 @@ pub struct Face {
 
 impl Face {
     /// Measures a body's head.
-    pub fn new(body: &Body, masks: Masks, person: Person) -> Self {
+    pub fn new(body: &BakedBody, masks: SurfaceMasks, person: Person) -> Self {
         let neck = body.joint("Neck");
         let top = body
             .obj
@@ -72,7 +72,7 @@ impl Face {
         self.masks.mouth.at(site.uv) > 0.5 && site.position.z < self.eye.z - 0.035
     }
 
-    /// Thickness of the hair above the skin, metres; 0 or less where there is none.
+    /// Thickness of the hair above the skin, metres; 0 or less without hair.
     pub fn hair_thickness(&self, site: &Site) -> f64 {
         if site.share(is_head) < 0.3 || self.masks.ears.at(site.uv) > 0.3 {
             return 0.0;
@@ -114,7 +114,7 @@ impl Face {
     }
 
     /// The scalp, raised by the hair's thickness.
-    pub fn hair_sheet(&self, body: &Body) -> Sheet {
+    pub fn hair_sheet(&self, body: &BakedBody) -> Sheet {
         const CORNERS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let skin = Sheet::from_group(body, "body", Material::Hair);
         let mut sheet = Sheet {

@@ -1,11 +1,11 @@
 //! The limits of each garment, the visible part of each sheet, and how many Gaussians it deserves.
 
-use crate::bake::body::{Body, Person};
+use crate::bake::body::{BakedBody, Person};
 use crate::bake::joints::{is_arm, is_foot, is_hand, is_head};
 use crate::bake::outfit::emblem;
 use crate::bake::outfit::face::Face;
 use crate::bake::outfit::shoe;
-use crate::bake::source::masks::Masks;
+use crate::bake::source::masks::SurfaceMasks;
 use crate::bake::style::Style;
 use crate::bake::surface::{Material, Site};
 use effigy_math::noise::smoothstep;
@@ -58,7 +58,7 @@ pub fn side(p: DVec3) -> usize {
 
 impl Outfit {
     /// Measures a body.
-    pub fn new(body: &Body, masks: Masks, person: Person) -> Self {
+    pub fn new(body: &BakedBody, masks: SurfaceMasks, person: Person) -> Self {
         let pair = |name: &str| {
             [
                 body.joint(&format!("Left{name}")),

@@ -1,6 +1,6 @@
 //! The sheets of the dressed body.
 
-use crate::bake::body::Body;
+use crate::bake::body::BakedBody;
 use crate::bake::joints::is_arm;
 use crate::bake::outfit::garments::Outfit;
 use crate::bake::outfit::shoe;
@@ -8,7 +8,7 @@ use crate::bake::surface::{Material, Sheet, SheetVertex};
 use effigy_math::noise::smoothstep;
 
 /// All sheets, the innermost first.
-pub fn sheets(outfit: &Outfit, body: &Body) -> Vec<Sheet> {
+pub fn sheets(outfit: &Outfit, body: &BakedBody) -> Vec<Sheet> {
     let mut sheets = vec![Sheet::from_group(body, "body", Material::Skin)];
     for (group, material) in [
         ("helper-l-eye", Material::Eye),

@@ -1,7 +1,7 @@
 //! Shoes: the surface at a fixed distance around each foot, which closes the gaps between the toes,
 //! with a rim and a flat sole.
 
-use crate::bake::body::Body;
+use crate::bake::body::BakedBody;
 use crate::bake::joints::is_foot;
 use crate::bake::source::rig::{self, Influences};
 use crate::bake::surface::{Material, Sheet, SheetVertex};
@@ -31,14 +31,14 @@ struct FootPoint {
 }
 
 struct Foot<'a> {
-    body: &'a Body,
+    body: &'a BakedBody,
     points: Vec<FootPoint>,
     /// Of the points.
     tree: ImmutableKdTree<f64, 3>,
 }
 
 /// One shoe for each foot.
-pub fn sheets(body: &Body) -> Vec<Sheet> {
+pub fn sheets(body: &BakedBody) -> Vec<Sheet> {
     [1.0, -1.0]
         .iter()
         .filter_map(|side| Foot::new(body, *side))
@@ -48,7 +48,7 @@ pub fn sheets(body: &Body) -> Vec<Sheet> {
 
 impl<'a> Foot<'a> {
     /// `side`: 1 left, -1 right. `None` if the mesh has no foot on that side.
-    fn new(body: &'a Body, side: f64) -> Option<Self> {
+    fn new(body: &'a BakedBody, side: f64) -> Option<Self> {
         let mut points = Vec::new();
         for triangle in body.obj.group("body") {
             let vertices = triangle.map(|corner| corner.vertex);
@@ -164,7 +164,7 @@ impl<'a> Foot<'a> {
     }
 }
 
-fn is_in_foot(body: &Body, vertex: u32) -> bool {
+fn is_in_foot(body: &BakedBody, vertex: u32) -> bool {
     body.weights[vertex as usize]
         .iter()
         .filter(|influence| is_foot(influence.joint))

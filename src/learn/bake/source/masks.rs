@@ -8,9 +8,9 @@ use image::GrayImage;
 
 /// One mask.
 #[derive(Clone, Debug)]
-pub struct Mask(GrayImage);
+pub struct SurfaceMask(GrayImage);
 
-impl Mask {
+impl SurfaceMask {
     fn load(assets: &Assets, name: &str) -> Result<Self, SourceError> {
         let file = assets.path(&format!("masks/{name}.jpg"));
         let bytes = std::fs::read(&file).map_err(|source| SourceError::Io {
@@ -47,31 +47,31 @@ impl Mask {
 
 /// The masks in use.
 #[derive(Clone, Debug)]
-pub struct Masks {
+pub struct SurfaceMasks {
     /// Lips.
-    pub lips: Mask,
+    pub lips: SurfaceMask,
     /// Ears.
-    pub ears: Mask,
+    pub ears: SurfaceMask,
     /// Fingernails.
-    pub nails: Mask,
+    pub nails: SurfaceMask,
     /// Eyelids.
-    pub eyelids: Mask,
+    pub eyelids: SurfaceMask,
     /// Inside of the mouth.
-    pub mouth: Mask,
+    pub mouth: SurfaceMask,
 }
 
-impl Masks {
+impl SurfaceMasks {
     /// Reads all masks.
     ///
     /// # Errors
     /// When a file is missing or damaged.
     pub fn load(assets: &Assets) -> Result<Self, SourceError> {
         Ok(Self {
-            lips: Mask::load(assets, "lips")?,
-            ears: Mask::load(assets, "ears")?,
-            nails: Mask::load(assets, "fingernails")?,
-            eyelids: Mask::load(assets, "eyelids")?,
-            mouth: Mask::load(assets, "inside-mouth")?,
+            lips: SurfaceMask::load(assets, "lips")?,
+            ears: SurfaceMask::load(assets, "ears")?,
+            nails: SurfaceMask::load(assets, "fingernails")?,
+            eyelids: SurfaceMask::load(assets, "eyelids")?,
+            mouth: SurfaceMask::load(assets, "inside-mouth")?,
         })
     }
 }

@@ -15,7 +15,7 @@ pub struct Corner {
 
 /// The triangles under one group name.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Group {
+pub struct ObjGroup {
     /// The name after `g`.
     pub name: String,
     /// In the file's order.
@@ -30,7 +30,7 @@ pub struct Obj {
     /// Texture coordinates from the lower left corner.
     pub uvs: Vec<DVec2>,
     /// One entry a name, in the order of first use.
-    pub groups: Vec<Group>,
+    pub groups: Vec<ObjGroup>,
 }
 
 impl Obj {
@@ -90,7 +90,7 @@ impl Obj {
         if let Some(index) = self.groups.iter().position(|group| group.name == name) {
             return index;
         }
-        self.groups.push(Group {
+        self.groups.push(ObjGroup {
             name: name.to_owned(),
             triangles: Vec::new(),
         });

@@ -54,13 +54,14 @@ struct BoneHead {
 }
 
 #[derive(Deserialize)]
-struct WeightFile {
+#[serde(rename = "WeightFile")]
+struct RigWeightFile {
     weights: BTreeMap<String, Vec<(u32, f64)>>,
 }
 
 /// A joint's place on the mesh: the mean of some vertices.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Place {
+pub enum JointPlace {
     /// These vertices.
     Vertices(Vec<u32>),
     /// The vertices of this group of the mesh's faces.
@@ -69,18 +70,18 @@ pub enum Place {
 
 /// A joint of a rig.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bone {
+pub struct RigBone {
     /// Without the rig's prefix.
     pub name: String,
     /// An index into the bones; `None` for the hips.
     pub parent: Option<u8>,
     /// Where the joint is.
-    pub place: Place,
+    pub place: JointPlace,
 }
 
 /// A joint that moves a point, and how much.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Influence {
+pub struct PointInfluence {
     /// The joint's index.
     pub joint: u8,
     /// Above 0. The weights of a point sum to 1.
@@ -88,13 +89,13 @@ pub struct Influence {
 }
 
 /// The joints that move a vertex, the largest weight first.
-pub type Influences = Vec<Influence>;
+pub type Influences = Vec<PointInfluence>;
 
 /// Adds to the weight of a joint.
 pub fn add_weight(influences: &mut Influences, joint: u8, weight: f64) {
     match influences.iter_mut().find(|known| known.joint == joint) {
         Some(known) => known.weight += weight,
-        None => influences.push(Influence { joint, weight }),
+        None => influences.push(PointInfluence { joint, weight }),
     }
 }
 
@@ -125,7 +126,7 @@ fn json<'a, T: Deserialize<'a>>(file: &Path, text: &'a str) -> Result<T, SourceE
 ///
 /// # Errors
 /// When the file is malformed, lacks a body joint, or names a vertex that is not there.
-pub fn bones(file: &Path, text: &str, vertices: usize) -> Result<Vec<Bone>, SourceError> {
+pub fn bones(file: &Path, text: &str, vertices: usize) -> Result<Vec<RigBone>, SourceError> {
     let mut entries: BTreeMap<String, BoneEntry> = json::<RigFile>(file, text)?
         .bones
         .into_iter()
@@ -145,7 +146,7 @@ pub fn bones(file: &Path, text: &str, vertices: usize) -> Result<Vec<Bone>, Sour
             format!("at most {}", limits::JOINTS),
         ));
     }
-    let mut bones: Vec<Bone> = Vec::with_capacity(order.len());
+    let mut bones: Vec<RigBone> = Vec::with_capacity(order.len());
     for name in order {
         let entry = entries
             .remove(&name)
@@ -163,7 +164,7 @@ pub fn bones(file: &Path, text: &str, vertices: usize) -> Result<Vec<Bone>, Sour
             }
         };
         let place = place(file, &name, entry.head, vertices)?;
-        bones.push(Bone {
+        bones.push(RigBone {
             name,
             parent,
             place,
@@ -172,9 +173,14 @@ pub fn bones(file: &Path, text: &str, vertices: usize) -> Result<Vec<Bone>, Sour
     Ok(bones)
 }
 
-fn place(file: &Path, name: &str, head: BoneHead, vertices: usize) -> Result<Place, SourceError> {
+fn place(
+    file: &Path,
+    name: &str,
+    head: BoneHead,
+    vertices: usize,
+) -> Result<JointPlace, SourceError> {
     match (head.strategy.as_str(), head.cube_name, head.vertex_indices) {
-        ("CUBE", Some(group), _) => Ok(Place::Group(group)),
+        ("CUBE", Some(group), _) => Ok(JointPlace::Group(group)),
         ("MEAN", _, Some(list)) if !list.is_empty() => {
             match list.iter().find(|&&v| v as usize >= vertices) {
                 Some(vertex) => Err(content(
@@ -182,7 +188,7 @@ fn place(file: &Path, name: &str, head: BoneHead, vertices: usize) -> Result<Pla
                     format!("vertex {vertex} at bone {name}"),
                     format!("one below {vertices}"),
                 )),
-                None => Ok(Place::Vertices(list)),
+                None => Ok(JointPlace::Vertices(list)),
             }
         }
         (other, ..) => Err(content(
@@ -201,11 +207,11 @@ fn place(file: &Path, name: &str, head: BoneHead, vertices: usize) -> Result<Pla
 pub fn weights(
     file: &Path,
     text: &str,
-    bones: &[Bone],
+    bones: &[RigBone],
     vertices: usize,
 ) -> Result<Vec<Influences>, SourceError> {
     let mut influences: Vec<Influences> = vec![Vec::new(); vertices];
-    for (name, list) in json::<WeightFile>(file, text)?.weights {
+    for (name, list) in json::<RigWeightFile>(file, text)?.weights {
         let short = name.trim_start_matches(PREFIX);
         let joint = bones
             .iter()
@@ -227,7 +233,7 @@ pub fn weights(
                 ));
             }
             if weight > 0.0 {
-                own.push(Influence {
+                own.push(PointInfluence {
                     joint: joint as u8,
                     weight,
                 });
