@@ -9,10 +9,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-/// From one sign of life to the next.
-const BEAT: Duration = Duration::from_secs(5);
+/// Interval of heartbeats.
+const HEARTBEAT: Duration = Duration::from_secs(5);
 /// A process without a heartbeat for this long is considered dead.
-const GONE: Duration = Duration::from_secs(30);
+const DEAD_AFTER: Duration = Duration::from_secs(30);
 
 /// The process that trains in a folder.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,7 +23,7 @@ pub struct Worker {
     pub host: String,
     /// How many have worked here since the last that ended in order, this one included.
     pub attempt: u32,
-    /// Seconds since 1970 of its last sign of life.
+    /// Seconds since 1970 of its last heartbeat.
     pub heartbeat: u64,
 }
 
@@ -37,7 +37,7 @@ pub enum LockError {
         folder: String,
         /// The other process.
         worker: Worker,
-        /// Since its last sign of life.
+        /// Since its last heartbeat.
         seconds: u64,
     },
     /// It can't be written.
@@ -65,7 +65,7 @@ impl Lock {
     /// Takes a folder.
     ///
     /// # Errors
-    /// When somebody works there, on this machine or, by a sign of life within half a minute,
+    /// When somebody works there, on this machine or, by a heartbeat within half a minute,
     /// elsewhere, or the folder can't be written.
     pub fn take(folder: &Path) -> Result<Self, LockError> {
         let path = folder.join("lock.json");
@@ -85,7 +85,7 @@ impl Lock {
         io::Read::read_to_end(&mut held, &mut text).map_err(failed)?;
         let known = serde_json::from_slice::<Worker>(&text).ok();
         let mut attempt = 1;
-        // Where the system can't lock files, signs of life have to do.
+        // Where the system can't lock files, heartbeats have to do.
         let locking = held.try_lock();
         let taken = matches!(locking, Err(TryLockError::WouldBlock));
         let locks = locking.is_ok();
@@ -97,7 +97,7 @@ impl Lock {
             .as_ref()
             .map_or(0, |worker| now().abs_diff(worker.heartbeat));
         let trusted = here && locks;
-        if taken || known.is_some() && !trusted && seconds < GONE.as_secs() {
+        if taken || known.is_some() && !trusted && seconds < DEAD_AFTER.as_secs() {
             return Err(LockError::Taken {
                 folder: folder.display().to_string(),
                 worker: known.unwrap_or_else(|| Worker::here(0)),
@@ -114,7 +114,7 @@ impl Lock {
             while !stopped.load(Ordering::Relaxed) {
                 std::thread::sleep(step);
                 waited += step;
-                if waited >= BEAT {
+                if waited >= HEARTBEAT {
                     waited = Duration::ZERO;
                     // A disk that is full now may not be at the next beat.
                     write(&mut beating, attempt).ok();
@@ -162,7 +162,7 @@ impl Worker {
     }
 }
 
-/// Writes a sign of life.
+/// Writes a heartbeat.
 fn write(file: &mut File, attempt: u32) -> io::Result<()> {
     let text = serde_json::to_vec(&Worker::here(attempt))?;
     file.rewind()?;

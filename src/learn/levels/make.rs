@@ -122,7 +122,7 @@ const SAMPLES: [usize; 2] = [2, 4];
 const MERGE_POSES: usize = 6;
 /// Images that levels are measured by.
 const HELD_OUT_IMAGES: usize = 12;
-/// Fewest Gaussians of a level.
+/// Fewest Gaussians that a level may have.
 const FEWEST: usize = 64;
 
 /// How levels are made.
