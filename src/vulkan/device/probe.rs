@@ -23,9 +23,9 @@ pub struct Probe {
     pub kind: vk::PhysicalDeviceType,
     /// The highest Vulkan version that it supports; see [`version`].
     pub api_version: u32,
-    /// The driver's name and build; empty where it does not report them.
+    /// The driver's name and build; empty if it does not report them.
     pub driver: String,
-    /// Identifies the driver's build: what was learned about one driver is not used for another.
+    /// Identifies the driver's build: results measured with one driver are not used for another.
     pub driver_uuid: [u8; 16],
     /// Changes with anything that makes old pipeline caches useless.
     pub cache_uuid: [u8; 16],
@@ -37,9 +37,9 @@ pub struct Probe {
     pub limits: vk::PhysicalDeviceLimits,
     /// A queue family that does graphics and compute.
     pub queue_family: Option<u32>,
-    /// Valid bits of that family's timestamps; 0 where it has none.
+    /// Valid bits of that family's timestamps; 0 if it has no timestamps.
     pub timestamp_bits: u32,
-    /// The driver tells what its compiler makes of shaders.
+    /// The driver reports statistics of compiled shaders.
     pub shader_statistics: bool,
     /// Fragments can be counted.
     pub pipeline_statistics: bool,
@@ -47,10 +47,10 @@ pub struct Probe {
     pub subgroup_size: u32,
     /// Whether compute shaders have basic subgroup operations and ballots.
     pub subgroup_ballot: bool,
-    /// Whether they have votes, sums and shuffles too.
+    /// Whether compute shaders also have votes, sums and shuffles.
     pub subgroup_shuffle: bool,
-    /// Smallest and largest subgroup that the sort's workgroups may be made of, in full. None: the
-    /// driver chooses.
+    /// Smallest and largest size of the subgroups that fill the sort's workgroups. None if the driver
+    /// chooses the size.
     pub subgroup_sizes: Option<[u32; 2]>,
     /// The driver's version number, as it writes it.
     pub driver_version: u32,
@@ -66,7 +66,7 @@ impl Probe {
         self.kind == vk::PhysicalDeviceType::CPU
     }
 
-    /// What it lacks to draw by a method. None: it can.
+    /// The requirement of a method that it does not meet. None if it can draw by the method.
     pub fn lacks_for(&self, method: RasterMethod) -> Option<&'static str> {
         let [width, ..] = self.limits.max_compute_work_group_size;
         let invocations = width.min(self.limits.max_compute_work_group_invocations);
@@ -109,9 +109,6 @@ impl Probe {
         let raw = &instance.raw;
         // SAFETY: the device comes from this instance.
         let basic = unsafe { raw.get_physical_device_properties(physical) };
-        let text = |value: std::result::Result<&CStr, _>| {
-            value.map_or(String::new(), |s| s.to_string_lossy().into_owned())
-        };
         // SAFETY: the device comes from this instance.
         let extensions = unsafe { raw.enumerate_device_extension_properties(physical) }
             .during("vkEnumerateDeviceExtensionProperties")?;
@@ -119,35 +116,7 @@ impl Probe {
             .iter()
             .map(|e| text(e.extension_name_as_c_str()))
             .collect();
-        let mut subgroup = vk::PhysicalDeviceSubgroupProperties::default();
-        let mut id = vk::PhysicalDeviceIDProperties::default();
-        let mut driver = vk::PhysicalDeviceDriverProperties::default();
-        let mut sizes = vk::PhysicalDeviceSubgroupSizeControlProperties::default();
-        let mut executables = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default();
-        let mut sizes_chosen = vk::PhysicalDeviceSubgroupSizeControlFeatures::default();
-        let has = |name: &CStr| extensions.iter().any(|e| name.to_str() == Ok(e));
-        if basic.api_version >= vk::API_VERSION_1_1 {
-            let mut properties = vk::PhysicalDeviceProperties2::default()
-                .push_next(&mut subgroup)
-                .push_next(&mut id);
-            if has(khr::driver_properties::NAME) || basic.api_version >= vk::API_VERSION_1_2 {
-                properties = properties.push_next(&mut driver);
-            }
-            let mut features = vk::PhysicalDeviceFeatures2::default();
-            if has(ext::subgroup_size_control::NAME) {
-                properties = properties.push_next(&mut sizes);
-                features = features.push_next(&mut sizes_chosen);
-            }
-            if has(khr::pipeline_executable_properties::NAME) {
-                features = features.push_next(&mut executables);
-            }
-            // SAFETY: the device comes from this instance, and has Vulkan 1.1; the structures that
-            // are chained live to the end of the function.
-            unsafe {
-                raw.get_physical_device_properties2(physical, &mut properties);
-                raw.get_physical_device_features2(physical, &mut features);
-            }
-        }
+        let chained = Chained::of(instance, physical, basic.api_version, &extensions);
         // SAFETY: the device comes from this instance.
         let families = unsafe { raw.get_physical_device_queue_family_properties(physical) };
         // SAFETY: the device comes from this instance.
@@ -160,30 +129,15 @@ impl Probe {
             .position(|family| family.queue_flags.contains(wanted));
         let own = |heap: &&vk::MemoryHeap| heap.flags.contains(vk::MemoryHeapFlags::DEVICE_LOCAL);
         use vk::SubgroupFeatureFlags as Subgroup;
-        let subgroup_all = Subgroup::BASIC
-            | Subgroup::BALLOT
-            | Subgroup::VOTE
-            | Subgroup::ARITHMETIC
-            | Subgroup::SHUFFLE;
-        let subgroup_basics = vk::SubgroupFeatureFlags::BASIC | vk::SubgroupFeatureFlags::BALLOT;
-        let sizes_chosen = sizes_chosen.subgroup_size_control == vk::TRUE
-            && sizes_chosen.compute_full_subgroups == vk::TRUE
-            && sizes
-                .required_subgroup_size_stages
-                .contains(vk::ShaderStageFlags::COMPUTE);
+        let ballot = Subgroup::BASIC | Subgroup::BALLOT;
+        let shuffle = ballot | Subgroup::VOTE | Subgroup::ARITHMETIC | Subgroup::SHUFFLE;
         Ok(Self {
             physical,
             name: text(basic.device_name_as_c_str()),
             kind: basic.device_type,
             api_version: basic.api_version,
-            driver: format!(
-                "{} {}",
-                text(driver.driver_name_as_c_str()),
-                text(driver.driver_info_as_c_str())
-            )
-            .trim()
-            .to_string(),
-            driver_uuid: id.driver_uuid,
+            driver: chained.driver(),
+            driver_uuid: chained.id.driver_uuid,
             cache_uuid: basic.pipeline_cache_uuid,
             vendor: basic.vendor_id,
             device: basic.device_id,
@@ -191,25 +145,11 @@ impl Probe {
             queue_family: queue_family.map(|family| family as u32),
             timestamp_bits: queue_family.map_or(0, |family| families[family].timestamp_valid_bits),
             pipeline_statistics: core.pipeline_statistics_query == vk::TRUE,
-            shader_statistics: executables.pipeline_executable_info == vk::TRUE,
-            subgroup_size: subgroup.subgroup_size,
-            subgroup_shuffle: subgroup.supported_operations.contains(subgroup_all)
-                && subgroup
-                    .supported_stages
-                    .contains(vk::ShaderStageFlags::COMPUTE),
-            subgroup_ballot: subgroup.supported_operations.contains(subgroup_basics)
-                && subgroup
-                    .supported_stages
-                    .contains(vk::ShaderStageFlags::COMPUTE),
-            subgroup_sizes: sizes_chosen.then(|| {
-                let fewest = SORT_WORKGROUP
-                    .div_ceil(sizes.max_compute_workgroup_subgroups.max(1))
-                    .next_power_of_two();
-                [
-                    sizes.min_subgroup_size.max(fewest),
-                    sizes.max_subgroup_size.min(SORT_WORKGROUP),
-                ]
-            }),
+            shader_statistics: chained.executables.pipeline_executable_info == vk::TRUE,
+            subgroup_size: chained.subgroup.subgroup_size,
+            subgroup_shuffle: chained.has_subgroup(shuffle),
+            subgroup_ballot: chained.has_subgroup(ballot),
+            subgroup_sizes: chained.subgroup_sizes(),
             driver_version: basic.driver_version,
             extensions,
             device_memory: memory
@@ -233,10 +173,10 @@ impl Probe {
 
     /// Whether it has a device extension.
     pub fn has(&self, extension: &CStr) -> bool {
-        self.extensions.iter().any(|e| extension.to_str() == Ok(e))
+        contains(&self.extensions, extension)
     }
 
-    /// This device with nothing that Vulkan 1.1 does not promise of every device.
+    /// This device, reduced to what Vulkan 1.1 promises of every device.
     pub fn baseline(mut self) -> Self {
         let limits = &mut self.limits;
         limits.max_storage_buffer_range = limits.max_storage_buffer_range.min(1 << 27);
@@ -262,7 +202,7 @@ impl Probe {
         }
     }
 
-    /// Requirements that the device does not meet; empty where it can serve.
+    /// Requirements that the device does not meet; empty if it can be used.
     pub fn missing_requirements(&self) -> Vec<String> {
         let mut missing = Vec::new();
         if self.api_version < vk::API_VERSION_1_1 {
@@ -277,8 +217,8 @@ impl Probe {
         missing
     }
 
-    /// Whether windows tell of their refreshes. Their times are those of the system's monotonic
-    /// clock, which can be read on Android only; no windows elsewhere have it so far.
+    /// Whether windows report their refreshes. The times are those of the system's monotonic clock,
+    /// which can be read on Android only; elsewhere no window system has the extension so far.
     pub(crate) fn has_display_timing(&self) -> bool {
         cfg!(target_os = "android") && self.has(google::display_timing::NAME)
     }
@@ -304,6 +244,106 @@ impl Probe {
             _ => 4,
         }
     }
+}
+
+/// Properties and features that Vulkan 1.0 does not report; zeros where the device does not either.
+#[derive(Default)]
+struct Chained {
+    subgroup: vk::PhysicalDeviceSubgroupProperties<'static>,
+    id: vk::PhysicalDeviceIDProperties<'static>,
+    driver: vk::PhysicalDeviceDriverProperties<'static>,
+    sizes: vk::PhysicalDeviceSubgroupSizeControlProperties<'static>,
+    size_control: vk::PhysicalDeviceSubgroupSizeControlFeatures<'static>,
+    executables: vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR<'static>,
+}
+
+impl Chained {
+    /// What a device reports, which has these extensions.
+    fn of(
+        instance: &Instance,
+        physical: vk::PhysicalDevice,
+        api_version: u32,
+        extensions: &[String],
+    ) -> Self {
+        let mut own = Self::default();
+        if api_version < vk::API_VERSION_1_1 {
+            return own;
+        }
+        let has = |extension| contains(extensions, extension);
+        let has_driver = has(khr::driver_properties::NAME) || api_version >= vk::API_VERSION_1_2;
+        let has_sizes = has(ext::subgroup_size_control::NAME);
+        let has_executables = has(khr::pipeline_executable_properties::NAME);
+        let properties: [(bool, &mut dyn vk::ExtendsPhysicalDeviceProperties2); 4] = [
+            (true, &mut own.subgroup),
+            (true, &mut own.id),
+            (has_driver, &mut own.driver),
+            (has_sizes, &mut own.sizes),
+        ];
+        let features: [(bool, &mut dyn vk::ExtendsPhysicalDeviceFeatures2); 2] = [
+            (has_sizes, &mut own.size_control),
+            (has_executables, &mut own.executables),
+        ];
+        let mut all_properties = vk::PhysicalDeviceProperties2::default();
+        for (_, structure) in properties.into_iter().filter(|(reported, _)| *reported) {
+            all_properties = all_properties.push_next(structure);
+        }
+        let mut all_features = vk::PhysicalDeviceFeatures2::default();
+        for (_, structure) in features.into_iter().filter(|(reported, _)| *reported) {
+            all_features = all_features.push_next(structure);
+        }
+        // SAFETY: the device comes from this instance, and has Vulkan 1.1; the structures that are
+        // chained live to the end of the function.
+        unsafe {
+            let raw = &instance.raw;
+            raw.get_physical_device_properties2(physical, &mut all_properties);
+            raw.get_physical_device_features2(physical, &mut all_features);
+        }
+        own
+    }
+
+    /// [`Probe::driver`].
+    fn driver(&self) -> String {
+        let name = text(self.driver.driver_name_as_c_str());
+        let info = text(self.driver.driver_info_as_c_str());
+        format!("{name} {info}").trim().to_string()
+    }
+
+    /// Whether compute shaders have subgroup operations.
+    fn has_subgroup(&self, operations: vk::SubgroupFeatureFlags) -> bool {
+        let subgroup = &self.subgroup;
+        subgroup.supported_operations.contains(operations)
+            && subgroup
+                .supported_stages
+                .contains(vk::ShaderStageFlags::COMPUTE)
+    }
+
+    /// [`Probe::subgroup_sizes`].
+    fn subgroup_sizes(&self) -> Option<[u32; 2]> {
+        let sizes = &self.sizes;
+        let is_chosen = self.size_control.subgroup_size_control == vk::TRUE
+            && self.size_control.compute_full_subgroups == vk::TRUE
+            && sizes
+                .required_subgroup_size_stages
+                .contains(vk::ShaderStageFlags::COMPUTE);
+        is_chosen.then(|| {
+            let fewest = SORT_WORKGROUP
+                .div_ceil(sizes.max_compute_workgroup_subgroups.max(1))
+                .next_power_of_two();
+            [
+                sizes.min_subgroup_size.max(fewest),
+                sizes.max_subgroup_size.min(SORT_WORKGROUP),
+            ]
+        })
+    }
+}
+
+/// A driver's text; empty if it is not terminated.
+fn text<E>(text: std::result::Result<&CStr, E>) -> String {
+    text.map_or(String::new(), |s| s.to_string_lossy().into_owned())
+}
+
+fn contains(extensions: &[String], extension: &CStr) -> bool {
+    extensions.iter().any(|e| extension.to_str() == Ok(e))
 }
 
 /// A Vulkan version number as people write it.
