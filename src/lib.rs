@@ -45,7 +45,7 @@
 //!
 //! # A frame
 //!
-//! [`Schedule::new`] says what a frame runs; both backends
+//! [`FrameSchedule::new`] says what a frame runs; both backends
 //! execute it. The stages, in the order that the folders and the shaders follow:
 //!
 //! ```text
@@ -104,7 +104,9 @@ use effigy_wgsl as wgsl;
 pub use effigy_core::reference;
 pub use effigy_core::{
     avatar::{Avatar, Clip, Pose, Skeleton, motion::Player},
-    frame::{ColorFormat, FrameReport, RasterMethod, RendererOptions, Schedule, Skip, SortVariant},
+    frame::{
+        ColorFormat, FrameReport, FrameSchedule, RasterMethod, RendererOptions, Skip, SortVariant,
+    },
     glam,
     io::file::{FileError, FormatError},
     scene::{AvatarBounds, Camera, Detail, FrameImage, Framing, Orbit, Posed},

@@ -1,6 +1,6 @@
 //! The user's actions, and their keys.
 
-use crate::{playback::Repeat, views::View};
+use crate::{playback::Repeat, views::StandardView};
 use winit::keyboard::{Key, NamedKey};
 
 /// How far a scrub key goes, seconds.
@@ -34,7 +34,7 @@ pub enum Action {
     /// Show all of the avatar from the front.
     ResetView,
     /// Show the avatar from a side, or its face.
-    View(View),
+    View(StandardView),
     /// Zoom towards what is in the middle: the logarithm of the magnification.
     Zoom(f64),
     /// Whether the view moves with the avatar.
@@ -157,7 +157,7 @@ pub fn key_action(press: &KeyPress, repeat: Repeat) -> Option<Action> {
             "-" => Action::Zoom(-ZOOM),
             digit => {
                 let number: usize = digit.parse().ok()?;
-                Action::View(*View::ALL.get(number.checked_sub(1)?)?)
+                Action::View(*StandardView::ALL.get(number.checked_sub(1)?)?)
             }
         },
         _ => return None,
@@ -215,8 +215,14 @@ mod tests {
 
     #[test]
     fn numbers_choose_views_and_signs_zoom() {
-        assert_eq!(press("1", Repeat::Off), Some(Action::View(View::Front)));
-        assert_eq!(press("6", Repeat::Off), Some(Action::View(View::Face)));
+        assert_eq!(
+            press("1", Repeat::Off),
+            Some(Action::View(StandardView::Front))
+        );
+        assert_eq!(
+            press("6", Repeat::Off),
+            Some(Action::View(StandardView::Face))
+        );
         for none in ["0", "7", "10", "1a"] {
             assert_eq!(press(none, Repeat::Off), None, "{none}");
         }

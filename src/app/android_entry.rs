@@ -61,7 +61,7 @@ fn show(
     last_crash: Option<CrashReport>,
 ) -> anyhow::Result<()> {
     java::hide_bars(app);
-    let files = files::Files::new(app, folders.first().cloned());
+    let files = files::PhoneFiles::new(app, folders.first().cloned());
     let LoadedAvatar { avatar, clips } = files.first()?;
     let display = Display::of_activity(app)?;
     let first = files.opened_index();

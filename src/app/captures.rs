@@ -2,7 +2,7 @@
 
 use crate::{message::Message, painter::WindowPainter, screenshot::ScreenshotWriters};
 use effigy::vulkan::{Error, Gpu};
-use effigy_runtime::{capture::RenderDoc, trace::Trace};
+use effigy_runtime::{capture::RenderDoc, trace::TraceRecorder};
 use std::path::PathBuf;
 use winit::event_loop::EventLoopProxy;
 
@@ -21,7 +21,7 @@ pub struct Captures {
     /// RenderDoc was attached when the device was opened.
     renderdoc_attached: bool,
     trace_path: Option<PathBuf>,
-    trace: Option<Trace>,
+    trace: Option<TraceRecorder>,
     /// Takes messages of the threads that write screenshots.
     proxy: EventLoopProxy<Message>,
 }
@@ -47,7 +47,7 @@ impl Captures {
 
     /// A device was opened: a trace of it starts.
     pub fn device_opened(&mut self, gpu: &Gpu) {
-        self.trace = self.trace_path.as_ref().map(|_| Trace::new(gpu));
+        self.trace = self.trace_path.as_ref().map(|_| TraceRecorder::new(gpu));
         self.renderdoc_attached = RenderDoc::attached().is_some();
     }
 

@@ -3,7 +3,7 @@
 use ash::vk;
 use effigy::vulkan::{
     Error, Gpu, GpuOptions, Result,
-    swapchain::{Surface, Target},
+    swapchain::{NativeWindow, Surface},
 };
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
 use std::{sync::Arc, time::Instant};
@@ -12,7 +12,7 @@ use winit::window::Window;
 /// A device that can present to a window.
 pub struct WindowDevice {
     /// The window, as Vulkan needs it to create surfaces.
-    pub target: Target,
+    pub target: NativeWindow,
     /// The window's surface.
     pub surface: Surface,
     /// The device.
@@ -24,7 +24,7 @@ pub struct WindowDevice {
 pub fn open(window: &Window, options: &GpuOptions) -> anyhow::Result<WindowDevice> {
     let began = Instant::now();
     // SAFETY: the painter, which holds all that is made of the target, holds the window too.
-    let target = unsafe { Target::new(window.display_handle()?, window.window_handle()?) };
+    let target = unsafe { NativeWindow::new(window.display_handle()?, window.window_handle()?) };
     match open_first(&target, options) {
         Ok(device) => {
             let took = began.elapsed().as_secs_f64() * 1e3;
@@ -36,7 +36,7 @@ pub fn open(window: &Window, options: &GpuOptions) -> anyhow::Result<WindowDevic
     }
 }
 
-fn open_first(target: &Target, options: &GpuOptions) -> Result<WindowDevice> {
+fn open_first(target: &NativeWindow, options: &GpuOptions) -> Result<WindowDevice> {
     let options = GpuOptions {
         surface_extensions: target.extensions()?,
         ..options.clone()

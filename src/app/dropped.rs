@@ -14,17 +14,17 @@ pub trait OpenFiles: Send + Sync {
     ///
     /// # Errors
     /// If the file can't be read: a text for the user.
-    fn avatar(&self, path: &Path) -> anyhow::Result<Opened<LoadedAvatar>>;
+    fn avatar(&self, path: &Path) -> anyhow::Result<OpenedFile<LoadedAvatar>>;
 
     /// Reads motion for an avatar.
     ///
     /// # Errors
     /// If the file can't be read or moves no joint of the avatar: a text for the user.
-    fn clip(&self, path: &Path, avatar: &Avatar) -> anyhow::Result<Opened<Clip>>;
+    fn clip(&self, path: &Path, avatar: &Avatar) -> anyhow::Result<OpenedFile<Clip>>;
 }
 
 /// What a file holds, and what it left open.
-pub struct Opened<T> {
+pub struct OpenedFile<T> {
     /// What was read.
     pub content: T,
     /// Sentences for the user.
@@ -83,9 +83,9 @@ impl DroppedContent {
     }
 
     /// What was read, after its notes or its error are kept.
-    fn take<T>(&mut self, opened: anyhow::Result<Opened<T>>) -> Option<T> {
+    fn take<T>(&mut self, opened: anyhow::Result<OpenedFile<T>>) -> Option<T> {
         match opened {
-            Ok(Opened { content, notes }) => {
+            Ok(OpenedFile { content, notes }) => {
                 self.messages.extend(notes);
                 Some(content)
             }

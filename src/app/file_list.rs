@@ -35,7 +35,7 @@ type Load = dyn Fn() -> anyhow::Result<LoadedAvatar> + Send + Sync;
 
 /// An avatar of the list.
 #[derive(Clone)]
-struct Entry {
+struct ListedAvatar {
     /// What the panel calls it.
     name: String,
     /// Its file, of those that were added.
@@ -46,7 +46,7 @@ struct Entry {
 /// Names of avatars, and how to read them. The default list is empty.
 #[derive(Clone, Default)]
 pub struct FileList {
-    entries: Vec<Entry>,
+    entries: Vec<ListedAvatar>,
     /// Index of the avatar that is shown.
     pub shown: usize,
     /// Number of the latest request: only its avatar is delivered.
@@ -69,7 +69,7 @@ impl FileList {
         let load = Arc::new(load);
         let entry = |(index, name)| {
             let load = load.clone();
-            Entry {
+            ListedAvatar {
                 name,
                 path: None,
                 load: Arc::new(move || load(index)),
@@ -94,11 +94,11 @@ impl FileList {
         path: &Path,
         load: impl Fn() -> anyhow::Result<LoadedAvatar> + Send + Sync + 'static,
     ) -> usize {
-        let is_same = |entry: &Entry| entry.path.as_deref() == Some(path);
+        let is_same = |entry: &ListedAvatar| entry.path.as_deref() == Some(path);
         if let Some(known) = self.entries.iter().position(is_same) {
             return known;
         }
-        self.entries.push(Entry {
+        self.entries.push(ListedAvatar {
             name: stem(path),
             path: Some(path.to_owned()),
             load: Arc::new(load),

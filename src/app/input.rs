@@ -16,13 +16,13 @@ use winit::{
 
 /// Which buttons, fingers and modifier keys are down.
 #[derive(Default)]
-pub struct Input {
+pub struct InputState {
     pointers: Pointers,
     taps: TapGesture,
     modifiers: ModifiersState,
 }
 
-impl Input {
+impl InputState {
     /// The camera gesture of an event, if it is one. `consumed`: the panel handles the event.
     pub fn gesture(&mut self, event: &WindowEvent, consumed: bool) -> Option<Gesture> {
         let shift = self.modifiers.shift_key();

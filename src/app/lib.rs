@@ -55,5 +55,5 @@ pub mod viewer;
 pub mod views;
 pub mod window;
 
-pub use options::{Loss, Rehearsal, ViewerOptions};
+pub use options::{DriverLoss, Rehearsal, ViewerOptions};
 pub use window::Display;

@@ -76,7 +76,7 @@ impl ViewerOptions {
 
 /// Losses that a driver can report while a window is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Loss {
+pub enum DriverLoss {
     /// The window's surface.
     Surface,
     /// The device, with everything on it.
@@ -89,8 +89,8 @@ pub enum Loss {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rehearsal {
     /// The kind of loss.
-    pub loss: Loss,
-    /// The number of the frame before which a surface or device is lost. For [`Loss::Memory`], how
+    pub loss: DriverLoss,
+    /// The number of the frame before which a surface or device is lost. For [`DriverLoss::Memory`], how
     /// many devices are opened before the one that has too little memory.
     pub number: u32,
 }

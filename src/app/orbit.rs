@@ -1,6 +1,6 @@
 //! The viewer's camera: it orbits around the avatar and glides to where gestures send it.
 
-use crate::{gesture::Gesture, views::Sight};
+use crate::{gesture::Gesture, views::ViewTarget};
 use effigy_core::scene::{Camera, Framing};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
@@ -63,7 +63,7 @@ impl OrbitPose {
 
 /// A camera that orbits, pans and zooms around a target, and glides to where gestures send it.
 #[derive(Clone, Debug)]
-pub struct Orbit {
+pub struct OrbitCamera {
     goal: OrbitPose,
     shown: OrbitPose,
     /// The point that the target moves along with, metres, in world coordinates.
@@ -76,7 +76,7 @@ pub struct Orbit {
     stands: bool,
 }
 
-impl Orbit {
+impl OrbitCamera {
     /// A view of all of a box in world coordinates, from the front. `anchor`: the point that the view follows. `size`: the image's, px.
     pub fn new(framing: impl Into<Framing>, anchor: DVec3, size: [u32; 2]) -> Self {
         let framing = framing.into();
@@ -109,7 +109,7 @@ impl Orbit {
     /// Glides back to a view of all of a box from the front.
     pub fn reset(&mut self, framing: impl Into<Framing>, size: [u32; 2]) {
         let framing = framing.into();
-        let front = Sight {
+        let front = ViewTarget {
             bounds: framing.bounds,
             yaw: FRONT_YAW,
             pitch: FRONT_PITCH,
@@ -119,7 +119,7 @@ impl Orbit {
     }
 
     /// Glides to a sight of a part of a box, or of all of it.
-    pub fn show(&mut self, framing: Framing, sight: &Sight, size: [u32; 2]) {
+    pub fn show(&mut self, framing: Framing, sight: &ViewTarget, size: [u32; 2]) {
         let from_anchor = |bounds: [DVec3; 2]| bounds.map(|corner| corner - self.anchor);
         self.framing = Framing {
             bounds: from_anchor(framing.bounds),
@@ -270,7 +270,7 @@ mod tests {
 
     const BOX: [DVec3; 2] = [DVec3::new(-0.8, 0.0, -0.2), DVec3::new(0.8, 1.8, 0.3)];
 
-    fn at_rest(mut orbit: Orbit) -> Orbit {
+    fn at_rest(mut orbit: OrbitCamera) -> OrbitCamera {
         while orbit.advance(1.0 / 60.0) {}
         orbit
     }
@@ -278,7 +278,7 @@ mod tests {
     #[test]
     fn the_first_view_shows_all_of_the_avatar() {
         for size in [[1280, 720], [720, 1280], [4000, 100], [100, 4000], [1, 1]] {
-            let camera = Orbit::new(BOX, DVec3::ZERO, size).camera(size);
+            let camera = OrbitCamera::new(BOX, DVec3::ZERO, size).camera(size);
             let mut min = DVec2::INFINITY;
             let mut max = DVec2::NEG_INFINITY;
             for corner in
@@ -303,7 +303,7 @@ mod tests {
 
     #[test]
     fn the_path_is_independent_of_the_frame_rate() {
-        let start = Orbit::new(BOX, DVec3::ZERO, [800, 600]);
+        let start = OrbitCamera::new(BOX, DVec3::ZERO, [800, 600]);
         let at = |frames: u32| {
             let mut orbit = start.clone();
             orbit.apply(
@@ -331,7 +331,7 @@ mod tests {
 
     #[test]
     fn a_gesture_moves_the_view_until_it_rests() {
-        let mut orbit = Orbit::new(BOX, DVec3::ZERO, [800, 600]);
+        let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, [800, 600]);
         assert!(orbit.is_at_rest() && !orbit.advance(0.1));
         orbit.apply(
             &Gesture {
@@ -354,7 +354,7 @@ mod tests {
     #[test]
     fn pitch_stops_short_of_the_poles() {
         for down in [1e5, -1e5] {
-            let mut orbit = Orbit::new(BOX, DVec3::ZERO, [800, 600]);
+            let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, [800, 600]);
             orbit.apply(
                 &Gesture {
                     orbit: DVec2::new(0.0, down),
@@ -375,7 +375,7 @@ mod tests {
     fn zoom_keeps_the_point_under_the_pointer_within_limits() {
         let size = [800, 600];
         let pointer = DVec2::new(500.0, 150.0);
-        let start = Orbit::new(BOX, DVec3::ZERO, size);
+        let start = OrbitCamera::new(BOX, DVec3::ZERO, size);
         let before = start.camera(size);
         let depth = start.goal.distance;
         let ray = ((pointer - before.center) / before.focal).extend(1.0) * depth;
@@ -424,7 +424,7 @@ mod tests {
             DVec2::new(790.0, 300.0),
             DVec2::new(60.0, 580.0),
         ] {
-            let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
+            let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, size);
             let target = orbit.goal.target;
             for notches in [2.0, -3.0, 1.0] {
                 orbit.apply(
@@ -444,9 +444,9 @@ mod tests {
     fn a_sight_of_a_part_is_near_and_not_undone_by_a_new_size() {
         let size = [800, 600];
         let head = [DVec3::new(-0.1, 1.5, -0.1), DVec3::new(0.1, 1.8, 0.1)];
-        let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
+        let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, size);
         let whole = orbit.goal.distance;
-        let sight = Sight {
+        let sight = ViewTarget {
             bounds: head,
             yaw: 3.0 * PI,
             pitch: PI,
@@ -462,7 +462,7 @@ mod tests {
     #[test]
     fn panning_follows_the_pointer_within_limits() {
         let size = [800, 600];
-        let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
+        let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, size);
         let target = orbit.goal.target;
         orbit.apply(
             &Gesture {
@@ -493,7 +493,7 @@ mod tests {
     #[test]
     fn reset_takes_the_short_way_back_to_the_front() {
         let size = [800, 600];
-        let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
+        let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, size);
         let first = orbit.camera(size);
         orbit.apply(
             &Gesture {
@@ -517,7 +517,7 @@ mod tests {
     #[test]
     fn the_view_follows_the_anchor() {
         let size = [640, 480];
-        let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
+        let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, size);
         let before = orbit.camera(size).eye();
         orbit.follow(DVec3::new(3.0, 0.0, -1.0));
         assert!(
@@ -550,7 +550,7 @@ mod tests {
         let size = [800, 600];
         let after = |scale: f64, zoom: f64| {
             let framing = Framing::scene(BOX.map(|corner| scale * corner));
-            let mut orbit = Orbit::new(framing, DVec3::ZERO, size);
+            let mut orbit = OrbitCamera::new(framing, DVec3::ZERO, size);
             for _ in 0..3 {
                 orbit.apply(
                     &Gesture {
@@ -579,11 +579,11 @@ mod tests {
 
     #[test]
     fn an_unchanged_view_is_framed_again_after_a_resize() {
-        let mut orbit = Orbit::new(BOX, DVec3::ZERO, [1280, 720]);
+        let mut orbit = OrbitCamera::new(BOX, DVec3::ZERO, [1280, 720]);
         orbit.resize([200, 900]);
         assert_eq!(
             orbit.camera([200, 900]),
-            Orbit::new(BOX, DVec3::ZERO, [200, 900]).camera([200, 900])
+            OrbitCamera::new(BOX, DVec3::ZERO, [200, 900]).camera([200, 900])
         );
         orbit.apply(
             &Gesture {

@@ -241,7 +241,7 @@ mod tests {
 
     /// A display that shows frames first in, first out, at most two of them waiting.
     #[derive(Clone, Copy)]
-    struct Display {
+    struct SimulatedDisplay {
         /// Refreshes that every frame is shown for.
         refreshes: u32,
         /// It reports its refreshes.
@@ -252,7 +252,7 @@ mod tests {
 
     /// Draws frames on a processor that begins each up to 0.4 periods late. `work`: how long a
     /// frame takes, in periods, by its number.
-    fn draw(display: Display, work: impl Fn(u32) -> f64) -> Vec<PacedFrame> {
+    fn draw(display: SimulatedDisplay, work: impl Fn(u32) -> f64) -> Vec<PacedFrame> {
         let refreshes = display.refreshes;
         let mut pacing = Pacing::default();
         let mut frames = Vec::<PacedFrame>::new();
@@ -320,12 +320,12 @@ mod tests {
 
     #[test]
     fn motion_is_as_even_as_the_display() {
-        let silent = Display {
+        let silent = SimulatedDisplay {
             refreshes: 1,
             reports: false,
             schedules: false,
         };
-        let reporting = Display {
+        let reporting = SimulatedDisplay {
             reports: true,
             ..silent
         };
@@ -351,7 +351,7 @@ mod tests {
 
     #[test]
     fn frames_of_two_refreshes_are_shown_for_two() {
-        let silent = Display {
+        let silent = SimulatedDisplay {
             refreshes: 2,
             reports: false,
             schedules: false,
@@ -361,7 +361,7 @@ mod tests {
         let work = |number| 1.1 + 0.3 * noise(number);
         assert!(misplaced(&draw(silent, work), 2) > 0.05);
         for schedules in [false, true] {
-            let display = Display {
+            let display = SimulatedDisplay {
                 reports: true,
                 schedules,
                 ..silent
@@ -372,7 +372,7 @@ mod tests {
         }
         // Frames of very different durations need a display that keeps the early ones back.
         let variable = |number| 0.1 + 1.3 * noise(number);
-        let scheduling = Display {
+        let scheduling = SimulatedDisplay {
             reports: true,
             schedules: true,
             ..silent

@@ -9,7 +9,7 @@ use effigy::vulkan::{
     CommandPool, Copied, During, Error, FRAMES_IN_FLIGHT, FrameReport, FrameValidator, Gpu,
     GpuOptions, PixelCounts, PreTransform, PreparedAvatar, Present, PresentFeedback, Presentation,
     PresentedImage, Recording, Renderer, RendererOptions, Result,
-    swapchain::{Acquired, Surface, Swapchain, Target},
+    swapchain::{Acquired, NativeWindow, Surface, Swapchain},
 };
 use effigy_core::{
     avatar::Avatar,
@@ -83,7 +83,7 @@ pub struct WindowPainter {
     /// The earliest time to show the next frame, nanoseconds of the system's monotonic clock.
     show_at: Option<u64>,
     gpu: Arc<Gpu>,
-    target: Target,
+    target: NativeWindow,
     window: Arc<Window>,
     /// The window's size when the swapchain was created, px.
     fitted: [u32; 2],
@@ -310,7 +310,8 @@ impl WindowPainter {
     /// is needed.
     pub fn resume(&mut self, window: &Arc<Window>) -> anyhow::Result<bool> {
         // SAFETY: the window outlives the painter, or is taken from it in `suspend`.
-        let target = unsafe { Target::new(window.display_handle()?, window.window_handle()?) };
+        let target =
+            unsafe { NativeWindow::new(window.display_handle()?, window.window_handle()?) };
         let surface = Surface::new(&self.gpu, target.clone())?;
         self.target = target;
         let fits = surface.format() == self.present.format;

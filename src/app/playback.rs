@@ -20,7 +20,7 @@ pub enum Repeat {
 
 /// A clip, as far as playback needs it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Track {
+pub struct ClipTiming {
     /// The clip's name.
     pub name: String,
     /// Seconds from the first frame to the last; 0 for a single pose.
@@ -29,7 +29,7 @@ pub struct Track {
     pub rate: f64,
 }
 
-impl From<&Clip> for Track {
+impl From<&Clip> for ClipTiming {
     fn from(clip: &Clip) -> Self {
         Self {
             name: clip.name.clone(),
@@ -63,7 +63,7 @@ struct PlaybackStart {
 /// repetitions. So it does not drift, and does not depend on how many frames were drawn.
 #[derive(Clone, Debug)]
 pub struct Playback {
-    tracks: Vec<Track>,
+    tracks: Vec<ClipTiming>,
     clip: usize,
     time: f64,
     speed: f64,
@@ -76,7 +76,7 @@ pub struct Playback {
 
 impl Playback {
     /// Paused at the beginning of the first clip. Without clips the time is always 0.
-    pub fn new(tracks: Vec<Track>) -> Self {
+    pub fn new(tracks: Vec<ClipTiming>) -> Self {
         Self {
             tracks,
             clip: 0,
@@ -89,12 +89,12 @@ impl Playback {
     }
 
     /// The clips.
-    pub fn tracks(&self) -> &[Track] {
+    pub fn tracks(&self) -> &[ClipTiming] {
         &self.tracks
     }
 
     /// Adds clips behind the others.
-    pub fn add(&mut self, tracks: impl IntoIterator<Item = Track>) {
+    pub fn add(&mut self, tracks: impl IntoIterator<Item = ClipTiming>) {
         self.tracks.extend(tracks);
     }
 

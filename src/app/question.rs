@@ -19,7 +19,7 @@ const ONE_RESET: Duration = Duration::from_secs(10);
 
 /// How the trials fare.
 #[derive(Clone, Copy, Debug)]
-enum Progress {
+enum TrialProgress {
     Running,
     Ended,
     /// Their device was lost or hung, at a time.
@@ -93,11 +93,11 @@ impl BackgroundTrials {
 
 /// How the trials fare, for the window to look at.
 #[derive(Clone)]
-struct Fate(Arc<Mutex<Progress>>);
+struct Fate(Arc<Mutex<TrialProgress>>);
 
 impl Default for Fate {
     fn default() -> Self {
-        Self(Arc::new(Mutex::new(Progress::Running)))
+        Self(Arc::new(Mutex::new(TrialProgress::Running)))
     }
 }
 
@@ -106,10 +106,10 @@ impl Fate {
     fn end(&self, error: Option<&Error>, now: Instant) {
         let mut progress = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         // One that was an excuse already is none for a later loss.
-        if let Progress::Running = *progress {
+        if let TrialProgress::Running = *progress {
             *progress = match error {
-                Some(Error::DeviceLost(_) | Error::Timeout { .. }) => Progress::Lost(now),
-                _ => Progress::Ended,
+                Some(Error::DeviceLost(_) | Error::Timeout { .. }) => TrialProgress::Lost(now),
+                _ => TrialProgress::Ended,
             };
         }
     }
@@ -117,10 +117,10 @@ impl Fate {
     /// Whether they excuse the window's way to draw for a loss of its device. Once.
     fn excuses(&self, now: Instant) -> bool {
         let mut progress = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        match std::mem::replace(&mut *progress, Progress::Ended) {
-            Progress::Running => true,
-            Progress::Lost(at) => now.saturating_duration_since(at) <= ONE_RESET,
-            Progress::Ended => false,
+        match std::mem::replace(&mut *progress, TrialProgress::Ended) {
+            TrialProgress::Running => true,
+            TrialProgress::Lost(at) => now.saturating_duration_since(at) <= ONE_RESET,
+            TrialProgress::Ended => false,
         }
     }
 }

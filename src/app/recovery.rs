@@ -1,7 +1,7 @@
 //! How often lost surfaces and devices may be replaced: losses and frames go in, the decision
 //! whether to go on comes out.
 
-use crate::options::{Loss, Rehearsal};
+use crate::options::{DriverLoss, Rehearsal};
 use effigy::vulkan::Error;
 
 /// Surfaces in a row that may be replaced.
@@ -45,7 +45,7 @@ impl Recovery {
     pub fn open_device(&mut self) -> Result<(), Error> {
         let number = self.opened_devices;
         self.opened_devices += 1;
-        self.rehearse(&[Loss::Memory], number)
+        self.rehearse(&[DriverLoss::Memory], number)
     }
 
     /// The window's surface was lost. Returns whether another one may be created.
@@ -73,16 +73,16 @@ impl Recovery {
 
     /// Fails as if something had been lost, if one of these losses is to be simulated at this
     /// number.
-    pub fn rehearse(&mut self, losses: &[Loss], number: u32) -> Result<(), Error> {
+    pub fn rehearse(&mut self, losses: &[DriverLoss], number: u32) -> Result<(), Error> {
         let is_due =
             |rehearsal: &Rehearsal| rehearsal.number == number && losses.contains(&rehearsal.loss);
         let Some(due) = self.rehearsals.iter().position(is_due) else {
             return Ok(());
         };
         Err(match self.rehearsals.remove(due).loss {
-            Loss::Surface => Error::SurfaceLost(REHEARSAL),
-            Loss::Device => Error::DeviceLost(REHEARSAL),
-            Loss::Memory => Error::OutOfMemory {
+            DriverLoss::Surface => Error::SurfaceLost(REHEARSAL),
+            DriverLoss::Device => Error::DeviceLost(REHEARSAL),
+            DriverLoss::Memory => Error::OutOfMemory {
                 memory: "device",
                 call: REHEARSAL,
             },
@@ -135,9 +135,11 @@ mod tests {
     #[test]
     fn a_rehearsed_loss_happens_once_at_its_number() {
         let rehearsal = |loss, number| Rehearsal { loss, number };
-        let mut recovery =
-            Recovery::new(vec![rehearsal(Loss::Device, 2), rehearsal(Loss::Memory, 1)]);
-        let frame = [Loss::Surface, Loss::Device];
+        let mut recovery = Recovery::new(vec![
+            rehearsal(DriverLoss::Device, 2),
+            rehearsal(DriverLoss::Memory, 1),
+        ]);
+        let frame = [DriverLoss::Surface, DriverLoss::Device];
         assert!(recovery.open_device().is_ok());
         assert!(matches!(
             recovery.open_device(),

@@ -4,8 +4,8 @@
 use crate::{
     action::Action,
     gesture::Gesture,
-    orbit::Orbit,
-    playback::{ClipTime, Playback, Track},
+    orbit::OrbitCamera,
+    playback::{ClipTime, ClipTiming, Playback},
 };
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
@@ -30,7 +30,7 @@ const BACKGROUNDS: [[f32; 3]; 4] = [
 
 /// What is behind the avatar.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Background {
+pub struct ViewerBackground {
     /// Display-referred RGB, 0 to 1.
     pub color: [f32; 3],
     /// Whether the viewer has a picture to show in its place.
@@ -39,7 +39,7 @@ pub struct Background {
     pub shows_picture: bool,
 }
 
-impl From<[f32; 3]> for Background {
+impl From<[f32; 3]> for ViewerBackground {
     fn from(color: [f32; 3]) -> Self {
         Self {
             color,
@@ -49,7 +49,7 @@ impl From<[f32; 3]> for Background {
     }
 }
 
-impl Background {
+impl ViewerBackground {
     /// The picture, then the known colours.
     fn next(self) -> Self {
         let known = BACKGROUNDS
@@ -86,11 +86,11 @@ pub struct ViewerScene {
     players: Vec<Player>,
     avatar_bounds: AvatarBounds,
     playback: Playback,
-    orbit: Orbit,
+    orbit: OrbitCamera,
     posed: Posed,
     /// The clip and time that `posed` is for.
     position: ClipTime,
-    background: Background,
+    background: ViewerBackground,
     /// The view moves with the avatar over the ground.
     follow: bool,
     /// The clock at the last advance.
@@ -102,12 +102,12 @@ impl ViewerScene {
     pub fn new(
         avatar: impl Into<Arc<Avatar>>,
         clips: Vec<Clip>,
-        background: impl Into<Background>,
+        background: impl Into<ViewerBackground>,
         size: [u32; 2],
         clock: f64,
     ) -> Self {
         let avatar = avatar.into();
-        let mut playback = Playback::new(clips.iter().map(Track::from).collect());
+        let mut playback = Playback::new(clips.iter().map(ClipTiming::from).collect());
         playback.play(true, clock);
         let players: Vec<_> = clips
             .into_iter()
@@ -116,7 +116,7 @@ impl ViewerScene {
         let position = playback.position();
         let posed = pose(&avatar, &players, position);
         let avatar_bounds = AvatarBounds::new(&avatar);
-        let orbit = Orbit::new(
+        let orbit = OrbitCamera::new(
             avatar_bounds.framing(&posed.joints),
             posed.ground(&avatar),
             size,
@@ -164,7 +164,7 @@ impl ViewerScene {
             return;
         }
         let first = self.players.len();
-        self.playback.add(clips.iter().map(Track::from));
+        self.playback.add(clips.iter().map(ClipTiming::from));
         let player = |clip| Player::new(clip, &self.avatar.skeleton);
         self.players.extend(clips.into_iter().map(player));
         self.playback.choose(first, clock);
@@ -177,7 +177,7 @@ impl ViewerScene {
     }
 
     /// What is behind the avatar.
-    pub fn background(&self) -> Background {
+    pub fn background(&self) -> ViewerBackground {
         self.background
     }
 

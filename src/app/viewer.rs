@@ -9,14 +9,14 @@ use crate::{
     frame_clock::{DrawnFrame, FrameClock},
     gesture::Gesture,
     host_window::HostWindow,
-    input::Input,
+    input::InputState,
     message::{DroppedRead, Message},
-    options::{Loss, ViewerOptions},
+    options::{DriverLoss, ViewerOptions},
     painter::WindowPainter,
     quality_control::QualityController,
     question::BackgroundTrials,
     recovery::{REHEARSAL, Recovery},
-    scene::{Background, FrameContent, ViewerScene},
+    scene::{FrameContent, ViewerBackground, ViewerScene},
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
 use anyhow::Context;
@@ -47,7 +47,7 @@ pub struct Viewer {
     window: HostWindow,
     /// Size of the frames, px.
     frame_size: [u32; 2],
-    input: Input,
+    input: InputState,
     clock: FrameClock,
     /// Created with the first device, if a frame rate is to be held.
     quality: Option<QualityController>,
@@ -100,7 +100,7 @@ impl Viewer {
     ) -> Self {
         let size = options.renderer.size;
         let LoadedAvatar { avatar, clips } = loaded;
-        let background = Background {
+        let background = ViewerBackground {
             color: options.background,
             has_picture: options.picture.is_some(),
             shows_picture: options.picture.is_some(),
@@ -115,7 +115,7 @@ impl Viewer {
             overlay: None,
             window: HostWindow::new(size),
             frame_size: size,
-            input: Input::default(),
+            input: InputState::default(),
             clock: FrameClock::new(options.frames),
             quality: None,
             recovery: Recovery::new(std::mem::take(&mut options.rehearse)),
@@ -633,8 +633,10 @@ impl Viewer {
     /// Draws a frame, if something has changed. The user's actions in the panel are added to
     /// `actions`.
     fn draw(&mut self, actions: &mut Vec<Action>) -> Result<(), Error> {
-        self.recovery
-            .rehearse(&[Loss::Surface, Loss::Device], self.clock.frames())?;
+        self.recovery.rehearse(
+            &[DriverLoss::Surface, DriverLoss::Device],
+            self.clock.frames(),
+        )?;
         let began = self.clock.now();
         let Some(content) = self.next_content(began)? else {
             return Ok(());

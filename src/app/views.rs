@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A view of the avatar, as it faces now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum View {
+pub enum StandardView {
     /// Key 1.
     Front,
     /// Key 2: the avatar's left.
@@ -26,7 +26,7 @@ pub enum View {
 
 /// What a view looks at, and from where.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sight {
+pub struct ViewTarget {
     /// Lower and upper corner of what it shows, metres.
     pub bounds: [DVec3; 2],
     /// Around the vertical axis, radians; 0 looks from +z.
@@ -40,7 +40,7 @@ pub struct Sight {
 const HEAD: f64 = 0.1;
 const HEAD_RISE: f64 = 0.07;
 
-impl View {
+impl StandardView {
     /// In the order of their keys, from 1.
     pub const ALL: [Self; 6] = [
         Self::Front,
@@ -52,7 +52,7 @@ impl View {
     ];
 
     /// The view of a posed avatar. `bounds`: the box around all of it, metres.
-    pub fn of(self, avatar: &Avatar, posed: &Posed, bounds: [DVec3; 2]) -> Sight {
+    pub fn of(self, avatar: &Avatar, posed: &Posed, bounds: [DVec3; 2]) -> ViewTarget {
         let head = head(avatar).filter(|_| self == Self::Face);
         let front = facing(avatar, posed, head.unwrap_or(0));
         let [turn, pitch] = match self {
@@ -67,7 +67,7 @@ impl View {
             (Self::Face, None) => top_of(bounds),
             _ => bounds,
         };
-        Sight {
+        ViewTarget {
             bounds,
             yaw: front + turn,
             pitch,

@@ -3,7 +3,7 @@
 
 use crate::source::{Source, check_joints, check_moves, how_it_follows};
 use effigy_app::{
-    dropped::{OpenFiles, Opened},
+    dropped::{OpenFiles, OpenedFile},
     file_list::LoadedAvatar,
 };
 use effigy_core::avatar::{Avatar, Clip};
@@ -19,7 +19,7 @@ impl OpenFiles for Source {
         open::is_motion(path)
     }
 
-    fn avatar(&self, path: &Path) -> anyhow::Result<Opened<LoadedAvatar>> {
+    fn avatar(&self, path: &Path) -> anyhow::Result<OpenedFile<LoadedAvatar>> {
         let source = self.for_avatar(path);
         let Imported {
             avatar,
@@ -30,13 +30,13 @@ impl OpenFiles for Source {
             tracing::warn!("{error:#}");
             vec![]
         });
-        Ok(Opened {
+        Ok(OpenedFile {
             content: LoadedAvatar::new(avatar, clips),
             notes: notes(path, &assumptions),
         })
     }
 
-    fn clip(&self, path: &Path, avatar: &Avatar) -> anyhow::Result<Opened<Clip>> {
+    fn clip(&self, path: &Path, avatar: &Avatar) -> anyhow::Result<OpenedFile<Clip>> {
         check_moves(avatar)?;
         let options = self.capture.clip_options(None)?;
         let OpenedClip {
@@ -48,7 +48,7 @@ impl OpenFiles for Source {
         check_joints(&clip, avatar)?;
         let follows = report.map(|report| how_it_follows(path, &report));
         let notes = follows.into_iter().chain(notes(path, &assumptions));
-        Ok(Opened {
+        Ok(OpenedFile {
             content: clip,
             notes: notes.collect(),
         })

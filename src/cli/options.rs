@@ -12,7 +12,7 @@ use effigy_core::{
     io::splats::Up,
     scene::{Camera, Detail, Framing, Supersampling},
 };
-use effigy_runtime::trace::Trace;
+use effigy_runtime::trace::TraceRecorder;
 use glam::DVec3;
 use std::path::Path;
 
@@ -345,7 +345,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Writes a trace, and prints where it is.
-pub fn write_trace(path: &Path, trace: &Trace, gpu: &Gpu) -> anyhow::Result<()> {
+pub fn write_trace(path: &Path, trace: &TraceRecorder, gpu: &Gpu) -> anyhow::Result<()> {
     trace
         .write(path, gpu)
         .with_context(|| format!("{} can't be written", path.display()))?;

@@ -21,7 +21,7 @@ use effigy_measure::{
 };
 use effigy_runtime::{
     thermals::{Phone, Recorded, Simulated, Thermals},
-    trace::Trace,
+    trace::TraceRecorder,
 };
 use std::{
     path::{Path, PathBuf},
@@ -144,7 +144,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     );
     let mut status = Status::default();
     let mut tick = |session: &Session| status.print(session);
-    let mut trace = args.trace.as_ref().map(|_| Trace::new(&gpu));
+    let mut trace = args.trace.as_ref().map(|_| TraceRecorder::new(&gpu));
     running.store(true, Ordering::Relaxed);
     let report = soak::run(
         &gpu,

@@ -68,13 +68,13 @@ pub struct Args {
 /// Nth device that is opened.
 #[cfg(feature = "window")]
 fn rehearsal(text: &str) -> Result<effigy_app::Rehearsal, String> {
-    use effigy_app::{Loss, Rehearsal};
+    use effigy_app::{DriverLoss, Rehearsal};
     let parse = || {
         let (name, number) = text.split_once('@')?;
         let loss = match name {
-            "surface" => Loss::Surface,
-            "device" => Loss::Device,
-            "memory" => Loss::Memory,
+            "surface" => DriverLoss::Surface,
+            "device" => DriverLoss::Device,
+            "memory" => DriverLoss::Memory,
             _ => return None,
         };
         let number = number.parse().ok()?;

@@ -22,13 +22,13 @@ use std::process::ExitCode;
 #[command(name = "effigy-lab", version, propagate_version = true)]
 struct Lab {
     #[command(subcommand)]
-    command: Command,
+    command: LabCommand,
     #[command(flatten)]
     global: GlobalArgs,
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum LabCommand {
     /// Draw hard cases and compare them with the f64 reference
     Stress(commands::stress::Args),
     /// Measure the sort alone: keys per second by count, key bits and variant
@@ -46,11 +46,11 @@ pub fn main() -> ExitCode {
     program::run(Lab::command(), |matches| {
         let lab = Lab::from_arg_matches(matches).unwrap_or_else(|error| error.exit());
         match lab.command {
-            Command::Stress(args) => commands::stress::run(args),
-            Command::BenchSort(args) => bench_sort::run(args),
-            Command::BenchDevice(args) => bench_device::run(args),
-            Command::ShaderStats(args) => commands::shader_stats::run(args),
-            Command::Verdict(args) => commands::verdict::run(args),
+            LabCommand::Stress(args) => commands::stress::run(args),
+            LabCommand::BenchSort(args) => bench_sort::run(args),
+            LabCommand::BenchDevice(args) => bench_device::run(args),
+            LabCommand::ShaderStats(args) => commands::shader_stats::run(args),
+            LabCommand::Verdict(args) => commands::verdict::run(args),
         }
     })
 }

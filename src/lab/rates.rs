@@ -260,7 +260,7 @@ fn a_second(count: f64, us: f64) -> f64 {
 }
 
 /// The time of one of some things, and how many there were.
-struct Measured {
+struct MeanTime {
     times: u32,
     each: Duration,
 }
@@ -272,7 +272,7 @@ fn median_of(
     most: u32,
     least: Duration,
     run: impl Fn(u32) -> Result<RunTimes>,
-) -> Result<Measured> {
+) -> Result<MeanTime> {
     let mut times = fewest;
     // The first run pays for what is made late.
     run(times)?;
@@ -290,7 +290,7 @@ fn median_of(
         .map(|_| Ok(run(times)?.device))
         .collect::<Result<Vec<_>>>()?;
     all.sort_unstable();
-    Ok(Measured {
+    Ok(MeanTime {
         times,
         each: all[RUNS / 2] / times,
     })

@@ -14,7 +14,7 @@
 
 use effigy::vulkan::{RendererOptions, raster::RasterMethod};
 use effigy_core::{
-    avatar::{Avatar, Layer},
+    avatar::{Avatar, NetworkLayer},
     frame::{
         DEPTH_KEYS, Skip, SortVariant,
         passes::{ListForm, Stage},
@@ -337,11 +337,11 @@ impl NetworkArrays {
         // bytes, stored with the step of their neuron's weights.
         let in_bytes = networks.in_bytes();
         let bias_group = if in_bytes { 1 } else { 4 };
-        let weights_of = |layer: &Layer, inputs: usize| Amount {
+        let weights_of = |layer: &NetworkLayer, inputs: usize| Amount {
             stored: (inputs.next_multiple_of(4) * layer.output) as u64,
             minimum: (inputs * layer.output) as u64,
         };
-        let biases_of = |layer: &Layer| Amount {
+        let biases_of = |layer: &NetworkLayer| Amount {
             stored: layer.output.next_multiple_of(bias_group) as u64,
             minimum: layer.output as u64,
         };

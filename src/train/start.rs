@@ -3,8 +3,8 @@
 
 use effigy_capture::{Template, VertexInfluence};
 use effigy_core::avatar::{
-    Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Pose,
-    Rows,
+    Activation, Avatar, Bounds, Filter, Gaussians, Inputs, NetworkLayer, Networks, Nodes, Parts,
+    Pose, Rows,
 };
 use effigy_core::layout::TRAIN_BASIS;
 use effigy_core::random::Random;
@@ -316,7 +316,7 @@ fn networks(sizes: &Sizes, parts: usize, input: usize, seed: u64) -> Networks {
                 .map(|_| f16::from_f64(random.range(-reach, reach)))
                 .collect()
         };
-        Layer {
+        NetworkLayer {
             input,
             output,
             weight: numbers(parts * input * output).into(),

@@ -38,7 +38,7 @@ pub(crate) mod window;
 pub use commands::{FRAMES_IN_FLIGHT, RunTimes, Semaphores};
 pub use device::{
     Error, Gpu, GpuOptions, Result, cache, error::During, handle::CommandPool, instance,
-    moment::Moment, probe, probe::Probe, recording::Recording, trial,
+    moment::ClockMoment, probe, probe::Probe, recording::Recording, trial,
 };
 pub use effigy_core::frame::{FrameReport, RendererOptions};
 pub use pipeline::shaders;

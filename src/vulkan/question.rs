@@ -7,7 +7,7 @@ use super::{
         error::{Error, Result},
         gpu::Gpu,
         options::GpuOptions,
-        trial::{Outcome, Record, Tried},
+        trial::{Record, TrialOutcome, Tried},
     },
     raster::choice::{self, MethodChoice, rival},
     renderer::Renderer,
@@ -133,7 +133,7 @@ impl Question<'_> {
             question: *self,
             renderers: None,
         };
-        Trial::new(gpu, rival, folder).run(&mut race)
+        MethodTrial::new(gpu, rival, folder).run(&mut race)
     }
 }
 
@@ -185,7 +185,7 @@ pub trait Race {
 }
 
 /// A measurement of two methods.
-pub struct Trial {
+pub struct MethodTrial {
     /// That of the device's class.
     pub class: RasterMethod,
     /// The other.
@@ -196,7 +196,7 @@ pub struct Trial {
     record: Record<RasterMethod>,
 }
 
-impl Trial {
+impl MethodTrial {
     /// Of the method of a device's class and its rival, with the record in `folder`.
     pub fn new(gpu: &Gpu, rival: RasterMethod, folder: Option<&Path>) -> Self {
         Self {
@@ -234,7 +234,7 @@ impl Trial {
     fn refused(&self, why: String) -> Tried<RasterMethod> {
         Tried {
             variant: self.rival,
-            outcome: Outcome::Refused(why),
+            outcome: TrialOutcome::Refused(why),
         }
     }
 
@@ -256,7 +256,7 @@ impl Trial {
             ms.sort_by(f64::total_cmp);
             Tried {
                 variant: methods[of],
-                outcome: Outcome::Right(ms[ms.len() / 2]),
+                outcome: TrialOutcome::Right(ms[ms.len() / 2]),
             }
         });
         Ok(timed.into())

@@ -3,7 +3,7 @@
 //! Every pipeline asks the driver when it is made, so [`all`] has no list of shaders to keep, only
 //! one of what can be made.
 
-pub use super::device::statistics::{Executable, Statistic, Value};
+pub use super::device::statistics::{Executable, Statistic, StatisticValue};
 use super::{
     device::{Error, Gpu, GpuOptions, Result},
     memory::Buffer,

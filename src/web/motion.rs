@@ -30,13 +30,13 @@ enum PoseSource {
 }
 
 /// The motion of an avatar.
-pub struct Motion {
+pub struct AvatarMotion {
     players: Vec<Player>,
     source: PoseSource,
     rest: Pose,
 }
 
-impl Motion {
+impl AvatarMotion {
     /// At rest, without a clip.
     pub fn new(avatar: &Avatar) -> Self {
         let rest = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
@@ -187,13 +187,13 @@ impl Motion {
 mod tests {
     use super::*;
 
-    fn motion() -> (Avatar, Motion) {
+    fn motion() -> (Avatar, AvatarMotion) {
         let avatar = effigy_demo::avatar().unwrap();
-        let motion = Motion::new(&avatar);
+        let motion = AvatarMotion::new(&avatar);
         (avatar, motion)
     }
 
-    fn turn(motion: &mut Motion, now: f64, angle: f32) {
+    fn turn(motion: &mut AvatarMotion, now: f64, angle: f32) {
         let mut rotation = vec![0.0; 3 * motion.rest.rotation.len()];
         rotation[4] = angle;
         motion.set_pose(now, &rotation, &[0.0; 3], &[]).unwrap();
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn live_poses_are_interpolated() {
         let (_, mut motion) = motion();
-        let angle = |motion: &Motion, now| motion.pose(now).rotation[1].y;
+        let angle = |motion: &AvatarMotion, now| motion.pose(now).rotation[1].y;
         turn(&mut motion, 1000.0, 0.2);
         assert!(
             (angle(&motion, 1000.0) - 0.2).abs() < 1e-6,

@@ -1,6 +1,6 @@
 //! A canvas with a device that draws on it, and avatars that are uploaded to the device.
 
-use crate::motion::Motion;
+use crate::motion::AvatarMotion;
 use effigy::webgpu::{Error, Gpu, Renderer, present::Present};
 use effigy_core::{
     avatar::{Avatar, Level},
@@ -22,7 +22,7 @@ pub struct DrawableAvatar {
     /// Draws the image over a background on the canvas.
     pub present: Present,
     /// Its clips and its pose.
-    pub motion: Motion,
+    pub motion: AvatarMotion,
 }
 
 impl DrawableAvatar {
@@ -161,7 +161,7 @@ impl CanvasSurface {
         // Ended even if this failed: the device's error scopes are a stack.
         let errors = Box::pin(errors.end());
         let (renderer, present) = allocated?;
-        let motion = Motion::new(&avatar);
+        let motion = AvatarMotion::new(&avatar);
         Ok(PreparedAvatar {
             gpu: self.gpu.clone(),
             drawable: DrawableAvatar {

@@ -10,7 +10,7 @@ use effigy_formats::retarget::{Girth, Skin};
 use serde::Deserialize;
 
 /// A skeleton, and where its Gaussians are.
-pub struct Body {
+pub struct SkinnedBody {
     /// The avatar's.
     pub skeleton: Skeleton,
     bounds: Bounds,
@@ -45,7 +45,7 @@ struct SkinnedPoint {
     weight: [u8; 4],
 }
 
-impl Body {
+impl SkinnedBody {
     /// Reads a body. `skeleton`: JSON; `skin`: 14 bytes a Gaussian, in this machine's order: three
     /// 16-bit coordinates, four joints, four weights.
     ///
@@ -121,11 +121,11 @@ mod tests {
     #[test]
     fn what_is_no_body_is_refused() {
         let tree = skeleton("[null, 0]");
-        assert!(Body::new(&tree, &[0; 28]).is_ok_and(|body| body.position.len() == 2));
+        assert!(SkinnedBody::new(&tree, &[0; 28]).is_ok_and(|body| body.position.len() == 2));
         let joint = [0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 255, 0, 0, 0];
-        assert!(Body::new(&tree, &joint).is_err());
+        assert!(SkinnedBody::new(&tree, &joint).is_err());
         for odd in ["[null, 1]", "[null, null]", "[null]", "[0, 0]"] {
-            assert!(Body::new(&skeleton(odd), &[]).is_err(), "{odd}");
+            assert!(SkinnedBody::new(&skeleton(odd), &[]).is_err(), "{odd}");
         }
     }
 }

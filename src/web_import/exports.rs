@@ -1,6 +1,6 @@
 //! What JavaScript calls.
 
-use crate::{body::Body, import};
+use crate::{body::SkinnedBody, import};
 use wasm_bindgen::prelude::*;
 
 /// A file of another program as one of Effigy's own.
@@ -59,7 +59,7 @@ pub fn import_motion(
     skeleton: &str,
     skin: &[u8],
 ) -> Result<Imported, JsValue> {
-    let body = Body::new(skeleton, skin).map_err(js_error)?;
+    let body = SkinnedBody::new(skeleton, skin).map_err(js_error)?;
     let motion = import::motion(bytes, name, &body).map_err(js_error)?;
     Ok(Imported {
         bytes: motion.bytes,

@@ -1,6 +1,6 @@
 //! Files of other programs, and the bytes of Effigy's own that they become.
 
-use crate::body::Body;
+use crate::body::SkinnedBody;
 use effigy_core::io::{
     file::FormatError,
     splats::{Up, to_columns},
@@ -75,7 +75,7 @@ pub fn avatar(bytes: &[u8], name: &str) -> Result<ImportedAvatar, FormatError> {
 /// # Errors
 /// When the file is of no known kind, refers to files beside it or breaks a rule, or when there is
 /// no body in it or in the avatar.
-pub fn motion(bytes: &[u8], name: &str, body: &Body) -> Result<ImportedMotion, FormatError> {
+pub fn motion(bytes: &[u8], name: &str, body: &SkinnedBody) -> Result<ImportedMotion, FormatError> {
     let mut beside = Nothing;
     let source = source(bytes, name, &mut beside);
     if source.content().is_avatar() {
@@ -121,7 +121,7 @@ mod tests {
     }
 
     /// The demo, as the main library writes it.
-    fn demo() -> Body {
+    fn demo() -> SkinnedBody {
         let avatar = effigy_demo::avatar().expect("inside the program");
         let skeleton = &avatar.skeleton;
         let gaussians = &avatar.gaussians;
@@ -138,7 +138,7 @@ mod tests {
             skin.extend(gaussians.joint[at]);
             skin.extend(gaussians.joint_weight[at]);
         }
-        Body::new(&document.to_string(), &skin).expect("a body")
+        SkinnedBody::new(&document.to_string(), &skin).expect("a body")
     }
 
     #[test]

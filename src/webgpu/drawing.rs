@@ -4,7 +4,7 @@ use super::{
     device::Gpu,
     error::{Error, Result},
     kernel::{Bindings, Bound, module},
-    owned::{Owned, Texture},
+    owned::{Owned, OwnedTexture},
 };
 use crate::{
     quirks::{NO_TRIANGLES, draws_triangles},
@@ -22,7 +22,7 @@ pub fn texture(
     [width, height]: [u32; 2],
     format: TextureFormat,
     usage: TextureUsages,
-) -> Texture {
+) -> OwnedTexture {
     Owned(gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d {
@@ -52,7 +52,7 @@ pub fn depth_test(writes: bool) -> DepthStencilState {
 }
 
 /// A pipeline that draws triangles.
-pub struct Drawing<'a> {
+pub struct TrianglePipeline<'a> {
     pub label: &'static str,
     pub bindings: &'a Bindings,
     /// What `bindings` were made of.
@@ -64,7 +64,7 @@ pub struct Drawing<'a> {
     pub depth: Option<DepthStencilState>,
 }
 
-impl Drawing<'_> {
+impl TrianglePipeline<'_> {
     /// # Errors
     /// Where the driver crashes when it draws triangles.
     pub fn pipeline(self, gpu: &Gpu) -> Result<wgpu::RenderPipeline> {

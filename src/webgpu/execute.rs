@@ -14,9 +14,9 @@ use super::{
 use bytemuck::bytes_of;
 use effigy_core::{
     frame::{
-        FramePlan, Schedule,
-        passes::{Pass, Target},
-        schedule::{ScheduledStage, Step},
+        FramePlan, FrameSchedule,
+        passes::{Pass, RenderTarget},
+        schedule::{ScheduleStep, ScheduledStage},
     },
     layout::{Control, QUADS_PER_INSTANCE},
 };
@@ -50,9 +50,9 @@ pub fn control(key_count: u32) -> Control {
     }
 }
 
-/// What WebGPU runs a stage's pass in.
+/// The part of an encoder that a stage's pass is recorded in.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum PassScope {
     /// The encoder itself: copies and fills.
     Encoder,
     /// A compute pass, with the passes beside it that run in one too.
@@ -61,21 +61,21 @@ enum Place {
     Own,
 }
 
-fn place(pass: &Pass) -> Place {
+fn scope(pass: &Pass) -> PassScope {
     match pass {
         Pass::SetKeyCount { .. }
         | Pass::ClearCounts
         | Pass::ClearTileLists
         | Pass::KeepCounts
-        | Pass::ReadCounts => Place::Encoder,
+        | Pass::ReadCounts => PassScope::Encoder,
         Pass::Mlp { .. }
         | Pass::Sh { .. }
         | Pass::Project { .. }
         | Pass::Sort
         | Pass::Binning { .. }
         | Pass::Saturation
-        | Pass::RasterTiles { .. } => Place::Compute,
-        Pass::Bin { .. } | Pass::RasterQuads { .. } | Pass::Resolve { .. } => Place::Own,
+        | Pass::RasterTiles { .. } => PassScope::Compute,
+        Pass::Bin { .. } | Pass::RasterQuads { .. } | Pass::Resolve { .. } => PassScope::Own,
     }
 }
 
@@ -86,13 +86,13 @@ impl Executor<'_> {
         &self,
         in_flight: &mut FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
-        schedule: &Schedule,
+        schedule: &FrameSchedule,
     ) {
         let mut is_second = false;
         for step in &schedule.steps {
             match step {
-                Step::Skip(stage, _) => in_flight.skip(*stage),
-                Step::Command(command) => match command.pass() {
+                ScheduleStep::Skip(stage, _) => in_flight.skip(*stage),
+                ScheduleStep::Command(command) => match command.pass() {
                     // It stands between the layers.
                     Some(Pass::KeepCounts) => {
                         in_flight.keep_counts(encoder, self.control, self.project);
@@ -105,7 +105,7 @@ impl Executor<'_> {
                     Some(pass) => self.encode(encoder, pass),
                     None => {}
                 },
-                Step::Stage(stage) => self.stage(in_flight, encoder, stage),
+                ScheduleStep::Stage(stage) => self.stage(in_flight, encoder, stage),
             }
         }
     }
@@ -119,9 +119,10 @@ impl Executor<'_> {
     ) {
         let [begin, end] = in_flight.stage(scheduled.stage);
         let passes: Vec<&Pass> = scheduled.passes().collect();
-        let shared = |a: &&Pass, b: &&Pass| [a, b].map(|pass| place(pass)) == [Place::Compute; 2];
+        let shared =
+            |a: &&Pass, b: &&Pass| [a, b].map(|pass| scope(pass)) == [PassScope::Compute; 2];
         let groups: Vec<&[&Pass]> = passes.chunk_by(shared).collect();
-        let timed = |group: &&[&Pass]| place(group[0]) != Place::Encoder;
+        let timed = |group: &&[&Pass]| scope(group[0]) != PassScope::Encoder;
         let first = groups.iter().position(timed);
         let last = groups.iter().rposition(timed);
         for (at, group) in groups.into_iter().enumerate() {
@@ -129,10 +130,10 @@ impl Executor<'_> {
                 begin.filter(|_| Some(at) == first),
                 end.filter(|_| Some(at) == last),
             ];
-            match place(group[0]) {
-                Place::Encoder => self.encode(encoder, group[0]),
-                Place::Own => self.own(in_flight, encoder, group[0], writes),
-                Place::Compute => {
+            match scope(group[0]) {
+                PassScope::Encoder => self.encode(encoder, group[0]),
+                PassScope::Own => self.own(in_flight, encoder, group[0], writes),
+                PassScope::Compute => {
                     let mut compute = in_flight.pass(encoder, scheduled.stage, writes);
                     for pass in group {
                         self.dispatch(&mut compute, pass);
@@ -143,10 +144,10 @@ impl Executor<'_> {
     }
 
     /// The draw into a layer's image.
-    fn draw(&self, target: Target) -> &Draw<'_> {
+    fn draw(&self, target: RenderTarget) -> &Draw<'_> {
         match target {
-            Target::Atlas => self.atlas.as_ref().expect(SCHEDULED),
-            Target::Image => &self.image,
+            RenderTarget::Atlas => self.atlas.as_ref().expect(SCHEDULED),
+            RenderTarget::Image => &self.image,
         }
     }
 

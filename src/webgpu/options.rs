@@ -8,7 +8,7 @@ use super::{
 use crate::quirks::draws_triangles;
 use effigy_core::{
     avatar::Avatar,
-    frame::{RasterMethod, RendererOptions, Skip, SortVariant, room::Room},
+    frame::{RasterMethod, RendererOptions, Skip, SortVariant, capacity::Capacity},
     scene::{AvatarBounds, Supersampling},
 };
 
@@ -74,13 +74,13 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     Ok(options)
 }
 
-/// The room of a renderer, which its sort must hold.
+/// The capacity of a renderer.
 ///
 /// # Errors
-/// When there is too little for the avatars, or more than can be sorted.
-pub fn room(gpu: &Gpu, options: &RendererOptions, bounds: &AvatarBounds) -> Result<Room> {
-    let room = Room::new(options, bounds)?;
-    let [found, limit] = [room.gaussians, sort::MAX_KEYS].map(|keys| 4 * u64::from(keys));
+/// When it is too small for the avatars, or too large for the sort.
+pub fn capacity(gpu: &Gpu, options: &RendererOptions, bounds: &AvatarBounds) -> Result<Capacity> {
+    let capacity = Capacity::new(options, bounds)?;
+    let [found, limit] = [capacity.gaussians, sort::MAX_KEYS].map(|keys| 4 * u64::from(keys));
     if found > limit {
         return Err(Error::TooLarge {
             what: "sort keys",
@@ -89,5 +89,5 @@ pub fn room(gpu: &Gpu, options: &RendererOptions, bounds: &AvatarBounds) -> Resu
             device: gpu.name().into(),
         });
     }
-    Ok(room)
+    Ok(capacity)
 }

@@ -28,7 +28,7 @@ pub struct Owned<T: Destroy>(pub T);
 /// A [`wgpu::Buffer`], destroyed when it is dropped.
 pub type Buffer = Owned<wgpu::Buffer>;
 /// A [`wgpu::Texture`], destroyed when it is dropped.
-pub type Texture = Owned<wgpu::Texture>;
+pub type OwnedTexture = Owned<wgpu::Texture>;
 /// A [`wgpu::QuerySet`], destroyed when it is dropped.
 pub type QuerySet = Owned<wgpu::QuerySet>;
 

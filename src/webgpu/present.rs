@@ -4,7 +4,7 @@
 use super::{
     buffer,
     device::Gpu,
-    drawing::Drawing,
+    drawing::TrianglePipeline,
     error::Result,
     kernel::{Bindings, Bound},
     owned::Buffer,
@@ -35,7 +35,7 @@ impl Present {
             blend: None,
             write_mask: wgpu::ColorWrites::ALL,
         };
-        let drawing = Drawing {
+        let drawing = TrianglePipeline {
             label: "present",
             bindings: &bindings,
             bound: &bound,

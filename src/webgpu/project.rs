@@ -12,7 +12,7 @@ use super::{
 };
 use crate::wgsl;
 use effigy_core::{
-    frame::{DEPTH_KEYS, RendererOptions, Skinning, Skip, room::Room},
+    frame::{DEPTH_KEYS, RendererOptions, Skinning, Skip, capacity::Capacity},
     layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
 };
 
@@ -50,9 +50,9 @@ impl Project {
         blocks: &Blocks,
         pose: &wgpu::Buffer,
         options: &RendererOptions,
-        room: Room,
+        capacity: Capacity,
     ) -> Result<Self> {
-        let capacity = room.gaussians;
+        let capacity = capacity.gaussians;
         // Whether frames in which only the camera moves use the pose cache.
         let caches = options.skip.contains(Skip::SKINNING);
         let keys = DEPTH_KEYS.bytes(u64::from(capacity));

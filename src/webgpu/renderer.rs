@@ -1,5 +1,5 @@
 //! Draws an avatar, or several copies of it in one scene: poses and a camera go in, an image on the
-//! device comes out. [`Schedule::new`] says what a frame runs, `execute.rs` records it.
+//! device comes out. [`FrameSchedule::new`] says what a frame runs, `execute.rs` records it.
 
 use super::{
     buffer::{STORAGE, empty},
@@ -10,7 +10,7 @@ use super::{
     kernel::{Blocks, block_offset},
     mlp::Mlp,
     model::{self, Model},
-    options::{accepted, room},
+    options::{accepted, capacity},
     owned::Buffer,
     project::Project,
     raster::{Draw, Raster, RasterInputs},
@@ -21,11 +21,11 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, DEPTH_KEYS, Damage, FrameReport, RendererOptions, Schedule, Skinning, Stage,
+        Counters, DEPTH_KEYS, Damage, FrameReport, FrameSchedule, RendererOptions, Skinning, Stage,
         block::{self, PoseLayout},
-        passes::Target,
+        capacity::Capacity,
+        passes::RenderTarget,
         pose_cache::PoseCache,
-        room::Room,
         schedule::{DeviceState, Equipment},
         state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches},
         validate,
@@ -52,7 +52,7 @@ pub struct Renderer {
     frame: Box<FrameBlock>,
     pub(super) model: Model,
     pub(super) avatar_bounds: AvatarBounds,
-    room: Room,
+    capacity: Capacity,
     pub(super) needs: PartDependencies,
     /// One an avatar.
     pub(super) pose_caches: Vec<PoseCache>,
@@ -107,8 +107,8 @@ impl Renderer {
         let levels = model::levels(avatar);
         let model = Model::empty(gpu, avatar, &levels)?;
         let avatar_bounds = bounds_of(avatar, &options);
-        let room = room(gpu, &options, &avatar_bounds)?;
-        let layout = PoseLayout::new(model.constants(0), room);
+        let capacity = capacity(gpu, &options, &avatar_bounds)?;
+        let layout = PoseLayout::new(model.constants(0), capacity);
         let pose = empty(gpu, "pose", 16 * u64::from(layout.total()), STORAGE)?;
         let control = empty(
             gpu,
@@ -117,7 +117,7 @@ impl Renderer {
             STORAGE | wgpu::BufferUsages::INDIRECT,
         )?;
         let blocks = Blocks::new(gpu, options.instances)?;
-        let project = Project::new(gpu, &model, &blocks, &pose, &options, room)?;
+        let project = Project::new(gpu, &model, &blocks, &pose, &options, capacity)?;
         let sort_inputs = SortInputs {
             bits: DEPTH_KEYS,
             keys: project.keys(),
@@ -150,7 +150,7 @@ impl Renderer {
             settings,
             frame: Box::new(*model.constants(0)),
             avatar_bounds,
-            room,
+            capacity,
             needs: PartDependencies::new(avatar),
             pose_caches: (0..options.instances)
                 .map(|_| PoseCache::default())
@@ -229,8 +229,8 @@ impl Renderer {
 
     /// Whether the buffers hold all that frames of an avatar with these bounds may draw.
     fn has_room(&self, bounds: &AvatarBounds) -> Result<bool> {
-        let room = Room::new(&self.options, bounds)?;
-        Ok(room.gaussians <= self.room.gaussians && room.posed <= self.room.posed)
+        let capacity = Capacity::new(&self.options, bounds)?;
+        Ok(capacity.gaussians <= self.capacity.gaussians && capacity.posed <= self.capacity.posed)
     }
 
     /// Makes room for these levels in place of those before. The harmonics must be replaced, too.
@@ -360,7 +360,7 @@ impl Renderer {
             bounds: &self.avatar_bounds,
             dependencies: &self.needs,
             options: &self.options,
-            room: self.room,
+            capacity: self.capacity,
             always_submit: false,
         });
         if !plan.redraw {
@@ -387,7 +387,7 @@ impl Renderer {
         let device_state = DeviceState {
             key_count: self.key_count,
         };
-        let schedule = Schedule::new(&plan, &self.equipment(), device_state);
+        let schedule = FrameSchedule::new(&plan, &self.equipment(), device_state);
         self.write_frame(&schedule, &plan, camera, &damage);
         self.submit(&schedule, &plan, &damage);
         self.state = state;
@@ -405,7 +405,7 @@ impl Renderer {
     }
 
     /// Records a schedule, and submits it.
-    fn submit(&mut self, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
+    fn submit(&mut self, schedule: &FrameSchedule, plan: &FramePlan, damage: &Damage) {
         let stages = StageDispatches {
             has_sh: self.sh.is_some(),
             sort: schedule.runs(Stage::Sort) * self.sort.dispatches() as u64,
@@ -436,8 +436,8 @@ impl Renderer {
             control: &self.control,
             blocks: &self.blocks,
             plan,
-            image: draw(&plan.image, Target::Image, damage),
-            atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, Target::Atlas, damage)),
+            image: draw(&plan.image, RenderTarget::Image, damage),
+            atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, RenderTarget::Atlas, damage)),
         };
         let mut encoder = self
             .gpu
@@ -455,7 +455,7 @@ impl Renderer {
     /// Fills the uniform blocks of a frame.
     fn write_frame(
         &mut self,
-        schedule: &Schedule,
+        schedule: &FrameSchedule,
         plan: &FramePlan,
         camera: &Camera,
         damage: &Damage,
@@ -511,7 +511,7 @@ impl Renderer {
         self.project.fill(block);
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
-            let pose = PoseLayout::new(self.model.constants(0), self.room);
+            let pose = PoseLayout::new(self.model.constants(0), self.capacity);
             block::write_instance(block, &self.options, layer, instance, pose);
             self.project.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);

@@ -174,7 +174,7 @@ fn networks(random: &mut Random, sizes: &Sizes, input: usize) -> Networks {
         // Poses are about a third of a radian: the first layer makes up for it, so that features
         // come out near 1.
         let deviation = (2.0 / w[0] as f64).sqrt() * if l == 0 { 3.0 } else { 1.0 };
-        Layer {
+        NetworkLayer {
             input: w[0],
             output: w[1],
             weight: (0..sizes.parts * w[0] * w[1])

@@ -7,10 +7,10 @@ use crate::{
 };
 use effigy::vulkan::{
     Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
-    question::{Question, QuestionScene, Race, Trial},
+    question::{MethodTrial, Question, QuestionScene, Race},
     raster::choice::MethodChoice,
     sort::choice::choose_in,
-    trial::{Outcome, Tried, withdraw},
+    trial::{TrialOutcome, Tried, withdraw},
 };
 use effigy_core::{
     avatar::{Avatar, Pose},
@@ -90,7 +90,7 @@ impl Driver {
 
     fn run(&mut self) -> Result<MethodChoice> {
         let [class, rival] = self.methods;
-        let mut trial = Trial::new(&self.gpu, rival, Some(self.folder.path()));
+        let mut trial = MethodTrial::new(&self.gpu, rival, Some(self.folder.path()));
         trial.class = class;
         trial.is_cpu = self.is_cpu;
         trial.run(self)
@@ -174,7 +174,7 @@ fn record_in(folder: &Path) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome(choice: &MethodChoice) -> Option<&Outcome> {
+fn outcome(choice: &MethodChoice) -> Option<&TrialOutcome> {
     Tried::outcome_of(&choice.tried, RIVAL)
 }
 
@@ -210,7 +210,7 @@ fn a_wrong_image_is_never_drawn_however_fast() {
         let mut driver = Driver::failing(0.1, fault);
         let choice = driver.run().unwrap();
         assert_eq!(choice.method, CLASS, "{fault:?}");
-        let refused = matches!(outcome(&choice), Some(Outcome::Refused(_)));
+        let refused = matches!(outcome(&choice), Some(TrialOutcome::Refused(_)));
         assert!(refused, "{fault:?}: {choice:?}");
         assert_eq!(driver.run().unwrap(), choice);
         assert_eq!(driver.opened, 1, "{fault:?}: once");
@@ -244,7 +244,7 @@ fn a_driver_that_ends_the_program_twice_is_believed() {
     assert!(driver.ends());
     assert!(driver.ends(), "the user may have ended it");
     let choice = driver.run().unwrap();
-    assert_eq!(outcome(&choice), Some(&Outcome::Unfinished));
+    assert_eq!(outcome(&choice), Some(&TrialOutcome::Unfinished));
     assert_eq!(choice.method, CLASS);
 }
 
@@ -357,7 +357,7 @@ fn every_method_of_this_device_is_right() {
         let name = choice.method.name();
         println!("{} beside it: {name}, {}", rival.name(), choice.reason());
         let outcome = Tried::outcome_of(&choice.tried, rival);
-        let is_right = matches!(outcome, Some(Outcome::Right(ms)) if *ms > 0.0);
+        let is_right = matches!(outcome, Some(TrialOutcome::Right(ms)) if *ms > 0.0);
         assert!(is_right, "{}: {outcome:?}", rival.name());
     }
 }

@@ -6,7 +6,7 @@ use crate::common::Sizes;
 #[cfg(feature = "window")]
 use crate::common::{self, Random};
 #[cfg(feature = "window")]
-use effigy_app::playback::{Playback, Repeat, Track};
+use effigy_app::playback::{ClipTiming, Playback, Repeat};
 use effigy_core::avatar::{Pose, motion::Player};
 
 #[cfg(feature = "window")]
@@ -14,8 +14,8 @@ const FRAMES: u64 = 1_000_000;
 
 /// A track whose duration is a whole number of ticks of a clock.
 #[cfg(feature = "window")]
-fn track(ticks: u64, tick: f64) -> Track {
-    Track {
+fn track(ticks: u64, tick: f64) -> ClipTiming {
+    ClipTiming {
         name: format!("{ticks} ticks"),
         duration: ticks as f64 * tick,
         rate: 1.0 / tick,
@@ -23,7 +23,7 @@ fn track(ticks: u64, tick: f64) -> Track {
 }
 
 #[cfg(feature = "window")]
-fn playing(tracks: Vec<Track>, repeat: Repeat) -> Playback {
+fn playing(tracks: Vec<ClipTiming>, repeat: Repeat) -> Playback {
     let mut playback = Playback::new(tracks);
     playback.set_repeat(repeat);
     playback.play(true, 0.0);
@@ -177,7 +177,7 @@ fn every_time_round_has_the_same_poses() {
     );
     // 120 frames of 1/30 s: from the first to the last are 119, which at 60 Hz are 238 ticks.
     let player = Player::new(common::clip(1, &avatar, 120), &avatar.skeleton);
-    let mut playback = playing(vec![Track::from(player.clip())], Repeat::Clip);
+    let mut playback = playing(vec![ClipTiming::from(player.clip())], Repeat::Clip);
     let tick = 1.0 / 60.0;
     let first: Vec<Pose> = (0..238)
         .map(|at| player.pose(playback.advance(f64::from(at) * tick).time))

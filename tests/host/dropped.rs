@@ -2,7 +2,7 @@
 
 use crate::common::{self, Sizes};
 use effigy_app::{
-    dropped::{DroppedContent, OpenFiles, Opened},
+    dropped::{DroppedContent, OpenFiles, OpenedFile},
     file_list::LoadedAvatar,
     scene::ViewerScene,
 };
@@ -36,11 +36,11 @@ impl OpenFiles for ByName {
         path.extension().is_some_and(|ending| ending == "motion")
     }
 
-    fn avatar(&self, path: &Path) -> anyhow::Result<Opened<LoadedAvatar>> {
+    fn avatar(&self, path: &Path) -> anyhow::Result<OpenedFile<LoadedAvatar>> {
         let name = path.to_string_lossy();
         anyhow::ensure!(name.ends_with(".avatar"), "{name} is no avatar");
         let avatar = avatar(&name);
-        Ok(Opened {
+        Ok(OpenedFile {
             content: LoadedAvatar {
                 clips: vec![clip("its own", &avatar)],
                 avatar,
@@ -49,10 +49,10 @@ impl OpenFiles for ByName {
         })
     }
 
-    fn clip(&self, path: &Path, avatar: &Avatar) -> anyhow::Result<Opened<Clip>> {
+    fn clip(&self, path: &Path, avatar: &Avatar) -> anyhow::Result<OpenedFile<Clip>> {
         let name = path.to_string_lossy();
         anyhow::ensure!(!name.starts_with("broken"), "{name} is broken");
-        Ok(Opened {
+        Ok(OpenedFile {
             content: clip(&format!("{name} for {}", avatar.name), avatar),
             notes: vec![],
         })

@@ -96,8 +96,8 @@ fn avatar(dots: &[Dot]) -> Avatar {
     }
 }
 
-fn layer(input: usize, output: usize, weight: &[f64], bias: &[f64]) -> Layer {
-    Layer {
+fn layer(input: usize, output: usize, weight: &[f64], bias: &[f64]) -> NetworkLayer {
+    NetworkLayer {
         input,
         output,
         weight: halves(weight).into(),
@@ -527,7 +527,7 @@ fn two_joints_blend_their_matrices() {
 }
 
 /// Two parts, the first a head part, that see one joint and one number of expression.
-fn two_parts(layers: Vec<Layer>, activation: Activation) -> Avatar {
+fn two_parts(layers: Vec<NetworkLayer>, activation: Activation) -> Avatar {
     let mut avatar = avatar(&[DOT, DOT]);
     avatar.parts = Parts {
         start: vec![0, 1, 2],

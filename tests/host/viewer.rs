@@ -5,9 +5,9 @@ use crate::common::{self, Sizes};
 use effigy_app::{
     action::Action,
     gesture::Gesture,
-    playback::{ClipTime, Playback, Repeat, SPEED, Track},
-    scene::{Background, ViewerScene},
-    views::View,
+    playback::{ClipTime, ClipTiming, Playback, Repeat, SPEED},
+    scene::{ViewerBackground, ViewerScene},
+    views::StandardView,
 };
 use effigy_core::{
     avatar::{Avatar, Clip, motion::Player},
@@ -17,7 +17,7 @@ use glam::{DVec2, DVec3};
 use std::{f64::consts::FRAC_PI_2, sync::Arc};
 
 fn playing(durations: &[f64], repeat: Repeat) -> Playback {
-    let track = |(i, &duration)| Track {
+    let track = |(i, &duration)| ClipTiming {
         name: format!("clip {i}"),
         duration,
         rate: 30.0,
@@ -303,7 +303,7 @@ fn turned_demo() -> ViewerScene {
 fn views_go_by_how_the_avatar_stands() {
     let mut scene = turned_demo();
     let mut clock = 0.0;
-    let mut seen = |view: View| {
+    let mut seen = |view: StandardView| {
         scene.act(Action::View(view), clock, SIZE);
         (0..100).for_each(|_| {
             clock += 0.05;
@@ -319,18 +319,18 @@ fn views_go_by_how_the_avatar_stands() {
     };
     // Its front is the world's +x now, its left −z.
     for (view, axis) in [
-        (View::Front, DVec3::X),
-        (View::Left, DVec3::NEG_Z),
-        (View::Back, DVec3::NEG_X),
-        (View::Right, DVec3::Z),
-        (View::Top, DVec3::Y),
+        (StandardView::Front, DVec3::X),
+        (StandardView::Left, DVec3::NEG_Z),
+        (StandardView::Back, DVec3::NEG_X),
+        (StandardView::Right, DVec3::Z),
+        (StandardView::Top, DVec3::Y),
     ] {
         let (camera, _) = seen(view);
         let forward = camera.view.matrix3.transpose().z_axis;
         assert!(forward.dot(axis) < -0.95, "{view:?}: {forward}");
     }
-    let (front, far) = seen(View::Front);
-    let (face, near) = seen(View::Face);
+    let (front, far) = seen(StandardView::Front);
+    let (face, near) = seen(StandardView::Face);
     assert!(near.z < 0.3 * far.z, "{near} is no nearer than {far}");
     // The joint is at the head's lower end.
     let below = face.project(near) - face.center;
@@ -374,7 +374,7 @@ fn backgrounds_go_round_and_stay_within_their_range() {
 /// First and after the last colour; a colour of one's own takes its place.
 fn a_picture_is_one_of_the_backgrounds() {
     let mut scene = scene();
-    let background = Background {
+    let background = ViewerBackground {
         has_picture: true,
         shows_picture: true,
         ..scene.background()

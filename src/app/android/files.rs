@@ -30,7 +30,7 @@ const DEMO_CLIP: &CStr = c"demo.motion";
 const OPENED: &str = "opened";
 
 /// The avatars and clips on a phone.
-pub struct Files {
+pub struct PhoneFiles {
     app: AndroidApp,
     /// The app's folder, which `adb push` can write to.
     folder: Option<PathBuf>,
@@ -40,7 +40,7 @@ pub struct Files {
     opened: bool,
 }
 
-impl Files {
+impl PhoneFiles {
     /// Lists the avatars in `folder`.
     pub fn new(app: &AndroidApp, folder: Option<PathBuf>) -> Self {
         let is_avatar =

@@ -16,7 +16,7 @@ const ABOVE: &str = "..";
 
 /// A file or folder of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Entry {
+struct FolderEntry {
     /// As the system has it, which may be no text.
     name: OsString,
     is_folder: bool,
@@ -27,7 +27,7 @@ struct Entry {
 pub struct Browser {
     folder: PathBuf,
     /// Folders first, by name; or why they can't be listed.
-    entries: Result<Vec<Entry>, String>,
+    entries: Result<Vec<FolderEntry>, String>,
 }
 
 impl Browser {
@@ -100,14 +100,14 @@ impl Browser {
 }
 
 /// What is in a folder but hidden files.
-fn list(folder: &Path) -> io::Result<Vec<Entry>> {
+fn list(folder: &Path) -> io::Result<Vec<FolderEntry>> {
     let mut entries = vec![];
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let name = entry.file_name();
         if !name.as_encoded_bytes().starts_with(b".") {
             let is_folder = entry.path().is_dir();
-            entries.push(Entry { name, is_folder });
+            entries.push(FolderEntry { name, is_folder });
         }
     }
     entries.sort_by_cached_key(|entry| {
@@ -132,7 +132,7 @@ mod tests {
         let mut browser = Browser::new(folder.clone());
         let names = |browser: &Browser| -> Vec<String> {
             let entries = browser.entries.as_ref().expect("it can be listed");
-            let name = |entry: &Entry| entry.name.display().to_string();
+            let name = |entry: &FolderEntry| entry.name.display().to_string();
             entries.iter().map(name).collect()
         };
         assert_eq!(names(&browser), ["z inside", "A.avatar", "b.ply"]);

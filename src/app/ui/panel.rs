@@ -465,7 +465,7 @@ fn grouped(number: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::playback::Track;
+    use crate::playback::ClipTiming;
 
     #[test]
     fn the_panel_says_how_small_avatars_are_drawn() {
@@ -565,7 +565,7 @@ mod tests {
     fn every_control_of_the_panel_has_an_action() {
         let ctx = egui::Context::default();
         style(&ctx);
-        let track = |name: &str| Track {
+        let track = |name: &str| ClipTiming {
             name: name.into(),
             duration: 2.0,
             rate: 30.0,

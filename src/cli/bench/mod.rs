@@ -22,7 +22,7 @@ use effigy_measure::{
     setting::RenderSetting,
     table,
 };
-use effigy_runtime::trace::Trace;
+use effigy_runtime::trace::TraceRecorder;
 use std::{path::PathBuf, str::FromStr};
 
 #[derive(clap::Args, Debug)]
@@ -202,7 +202,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         }
         None => None,
     };
-    let mut trace = traced.map(|(_, gpu)| Trace::new(gpu));
+    let mut trace = traced.map(|(_, gpu)| TraceRecorder::new(gpu));
     let keep = |report: &BenchReport| match &args.json {
         Some(out) => out.keep_json(report),
         None => Ok(()),

@@ -1,6 +1,6 @@
 //! Text that summaries of avatars and of motion share.
 
-use effigy_core::io::file::{TensorInfo, format::Order};
+use effigy_core::io::file::{TensorInfo, format::ByteArrangement};
 use serde::Serialize;
 use std::fmt;
 
@@ -66,8 +66,8 @@ pub fn table(f: &mut fmt::Formatter, tensors: &[TensorInfo]) -> fmt::Result {
         let stored = thousands(tensor.stored);
         let encoding = match tensor.deflated {
             None => "",
-            Some(Order::Planes) => ", deflated",
-            Some(Order::Deltas) => ", differences deflated",
+            Some(ByteArrangement::Planes) => ", deflated",
+            Some(ByteArrangement::Deltas) => ", differences deflated",
         };
         writeln!(
             f,

@@ -23,7 +23,7 @@ pub use filter::{Filter, LowPass};
 pub use inputs::{Inputs, Subspace};
 pub use matrix::Matrix;
 pub use model::{
-    Activation, Avatar, Gaussians, Layer, Level, LevelError, Networks, Nodes, Parts, Rows,
+    Activation, Avatar, Gaussians, Level, LevelError, NetworkLayer, Networks, Nodes, Parts, Rows,
     ShCoefficients,
 };
 pub use motion::Clip;

@@ -233,7 +233,7 @@ pub struct Networks {
     /// The nonlinearity of the hidden layers.
     pub activation: Activation,
     /// The layers, from the input on.
-    pub layers: Vec<Layer>,
+    pub layers: Vec<NetworkLayer>,
 }
 
 impl Networks {
@@ -257,7 +257,7 @@ impl Networks {
 
 /// A linear layer of all N_G networks.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Layer {
+pub struct NetworkLayer {
     /// Numbers that enter a neuron.
     pub input: usize,
     /// Neurons.

@@ -208,6 +208,19 @@ mod tests {
         assert!(hand.distance(DVec3::new(1.0, 2.0, 0.0)) < 1e-12, "{hand}");
     }
 
+    /// The sum of all entries of the joints' matrices, times weights.
+    fn weighted(skeleton: &Skeleton, pose: &Pose, weights: &[DAffine3]) -> f64 {
+        let pairs = skeleton.matrices(pose).into_iter().zip(weights);
+        pairs
+            .map(|(own, of)| {
+                let linear: f64 = (0..3)
+                    .map(|c| own.matrix3.col(c).dot(of.matrix3.col(c)))
+                    .sum();
+                linear + own.translation.dot(of.translation)
+            })
+            .sum()
+    }
+
     #[test]
     fn its_derivative_is_the_slope_of_differences() {
         let skeleton = Skeleton {
@@ -238,17 +251,7 @@ mod tests {
                 )
             })
             .collect();
-        let loss_of = |skeleton: &Skeleton, pose: &Pose| -> f64 {
-            let pairs = skeleton.matrices(pose).into_iter().zip(&weights);
-            pairs
-                .map(|(own, of)| {
-                    let linear: f64 = (0..3)
-                        .map(|c| own.matrix3.col(c).dot(of.matrix3.col(c)))
-                        .sum();
-                    linear + own.translation.dot(of.translation)
-                })
-                .sum()
-        };
+        let loss_of = |skeleton: &Skeleton, pose: &Pose| weighted(skeleton, pose, &weights);
         let loss = |pose: &Pose| loss_of(&skeleton, pose);
         let found = skeleton.matrices_backward(&pose, &weights);
         let step = 1e-5;

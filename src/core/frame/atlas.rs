@@ -5,7 +5,7 @@
 //! that may pass through an avatar that is drawn at its size is drawn at its size too. So slots
 //! and whatever else meets them in the image are entirely before or behind each other.
 
-use super::room::FEW;
+use super::capacity::FEW;
 use crate::scene::{
     AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible,
     levels::{self, ChosenLevel},
@@ -22,38 +22,38 @@ const HALVINGS: usize = 32;
 /// Pixels that an atlas may have where the image has fewer.
 const LEAST_PIXELS: u64 = 1 << 22;
 
-/// By what an avatar's level is chosen, besides its size.
+/// What an avatar's level depends on besides its size.
 #[derive(Clone, Copy, Debug)]
 pub struct LevelInput {
     /// Levels are for avatars whose size decides how they are drawn.
     pub supersampling: Supersampling,
     /// The level that was near enough in the last frame.
     pub before: usize,
-    /// By how many it is to be coarser ([`levels::choose`]).
+    /// How many levels coarser than that it should be ([`levels::choose`]).
     pub coarser: usize,
 }
 
-/// An avatar in view.
+/// What an avatar in view covers of the image, and how large it should be drawn.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen {
-    /// Encloses all that is drawn of it. None where that is not bounded; such avatars are drawn as
-    /// large as they are shown.
+pub struct AvatarFootprint {
+    /// Encloses all that is drawn of it. None if it has no bounds; such avatars are drawn as large
+    /// as they are shown.
     pub around: Option<PlaneRect>,
     /// Nearest and furthest depth, metres.
     pub depth: [f64; 2],
-    /// Longest side of its box in the image without a margin, px; infinite where it crosses the
-    /// near plane.
+    /// Longest side of its box in the image without a margin, px; infinite if it crosses the near
+    /// plane.
     pub side: f64,
-    /// How many times its size it may be drawn for its size, at least 1.
+    /// The largest factor by which it may be enlarged, given its size; at least 1.
     pub most: f64,
-    /// What is drawn of it alone, and how many times its size that should be.
+    /// The level that it is drawn from in a slot of its own, and its samples there.
     pub chosen: ChosenLevel,
-    /// By what that was chosen.
+    /// What the level was chosen by.
     pub input: LevelInput,
 }
 
-impl Seen {
-    /// An avatar that is in view where `visible` says.
+impl AvatarFootprint {
+    /// The footprint of an avatar whose visibility is known.
     pub fn new(bounds: &AvatarBounds, visible: &Visible, input: LevelInput) -> Self {
         let side = visible.longest_side();
         let most = input.supersampling.factor(side);
@@ -77,8 +77,8 @@ impl Seen {
         }
     }
 
-    /// What is drawn into a slot of a factor, which may be another than its own: less where there
-    /// is little room, more where it shares the slot with others.
+    /// The level for a slot with this factor, which is smaller than its own in a full atlas, and
+    /// larger in a slot that it shares with avatars that need more samples.
     pub fn chosen_for(&self, bounds: &AvatarBounds, factor: f64) -> ChosenLevel {
         let LevelInput {
             supersampling,
@@ -96,7 +96,7 @@ impl Seen {
 
 /// A part of the image, drawn larger.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slot {
+pub struct AtlasSlot {
     /// The part of the image's plane that it holds, px of the image.
     pub around: PlaneRect,
     /// Pixels of the atlas in a pixel of the image, each way; above 1.
@@ -107,7 +107,7 @@ pub struct Slot {
     pub behind: bool,
 }
 
-impl Slot {
+impl AtlasSlot {
     /// Its pixels in the atlas.
     pub fn rect(&self) -> PixelRect {
         PixelRect {
@@ -141,36 +141,57 @@ fn texels(sides: UVec2, factor: f64) -> UVec2 {
 /// Where avatars are drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arrangement {
-    /// Index of the slot of each avatar; None for those drawn as large as they are shown.
+    /// Index of the slot of each avatar; None for avatars drawn as large as they are shown.
     pub slot_of: Vec<Option<usize>>,
     /// The slots, in the order in which they are blended.
-    pub slots: Vec<Slot>,
+    pub slots: Vec<AtlasSlot>,
     /// Width and height of the atlas, px; 0 without slots.
     pub size: [u32; 2],
 }
 
 impl Arrangement {
-    /// All of so many avatars are drawn as large as they are shown.
+    /// This many avatars, each drawn as large as it is shown.
     pub fn without_slots(avatars: usize) -> Self {
         Self {
             slot_of: vec![None; avatars],
             ..Self::default()
         }
     }
+
+    /// The slot of an avatar; None if it is drawn as large as it is shown.
+    pub fn slot(&self, avatar: usize) -> Option<&AtlasSlot> {
+        self.slot_of[avatar].map(|slot| &self.slots[slot])
+    }
 }
 
 /// Avatars that share a slot, or one that is drawn as large as it is shown.
-struct Group {
+struct AvatarGroup {
     members: Vec<usize>,
     around: Option<PlaneRect>,
     depth: [f64; 2],
     factor: f64,
-    /// The least of its members' for their sizes.
+    /// The smallest [`AvatarFootprint::most`] of its members.
     most: f64,
     behind: bool,
 }
 
-impl Group {
+impl AvatarGroup {
+    /// A group of one avatar.
+    fn new(index: usize, footprint: &AvatarFootprint) -> Self {
+        let (factor, most) = match footprint.around {
+            Some(_) => (footprint.chosen.samples, footprint.most),
+            None => (1.0, 1.0),
+        };
+        Self {
+            members: vec![index],
+            around: footprint.around,
+            depth: footprint.depth,
+            factor,
+            most,
+            behind: false,
+        }
+    }
+
     fn meets(&self, other: &Self) -> bool {
         match (self.around, other.around) {
             (Some(own), Some(others)) => own.meets(others),
@@ -182,23 +203,23 @@ impl Group {
         self.factor > 1.0
     }
 
-    /// Width and height that its slot takes up, drawn so many times as large, px of the atlas.
-    fn room(&self, factor: f64) -> UVec2 {
+    /// Width and height of its slot at a factor, px of the atlas.
+    fn slot_size(&self, factor: f64) -> UVec2 {
         let sides = self.around.map_or(UVec2::ZERO, PlaneRect::sides);
         texels(sides, factor).map(|side| side.next_multiple_of(ALIGNMENT))
     }
 
-    /// The pixels of its slot at a factor; 0 where it needs none.
+    /// The pixels of its slot at a factor; 0 if it needs no slot.
     fn pixels(&self, factor: f64) -> u64 {
-        let room = self.room(factor);
+        let size = self.slot_size(factor);
         if factor > 1.0 {
-            u64::from(room.x) * u64::from(room.y)
+            u64::from(size.x) * u64::from(size.y)
         } else {
             0
         }
     }
 
-    /// Its factor where a slot may show no more than `most` pixels.
+    /// Its factor if a slot may show at most `most` pixels.
     fn factor_within(&self, most: f64) -> f64 {
         let sides = self.around.map_or(UVec2::ONE, PlaneRect::sides).as_dvec2();
         // Rounding must not make a side longer than the longest.
@@ -234,30 +255,15 @@ impl Group {
 }
 
 /// Arranges avatars in view. `size`: of the image, px.
-pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
-    let mut groups: Vec<Group> = seen
+pub fn arrange(footprints: &[AvatarFootprint], size: [u32; 2]) -> Arrangement {
+    let mut groups: Vec<AvatarGroup> = footprints
         .iter()
         .enumerate()
-        .map(|(index, seen)| Group {
-            members: vec![index],
-            around: seen.around,
-            depth: seen.depth,
-            factor: if seen.around.is_some() {
-                seen.chosen.samples
-            } else {
-                1.0
-            },
-            most: if seen.around.is_some() {
-                seen.most
-            } else {
-                1.0
-            },
-            behind: false,
-        })
+        .map(|(index, footprint)| AvatarGroup::new(index, footprint))
         .collect();
     let small = groups.iter().filter(|group| group.is_small()).count();
     let mut pixels = most_pixels(size, small);
-    while groups.iter().any(Group::is_small) {
+    while groups.iter().any(AvatarGroup::is_small) {
         while join_small(&mut groups) {}
         if !settle_sides(&mut groups) {
             continue;
@@ -265,13 +271,13 @@ pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
         if shrink(&mut groups, pixels) {
             continue;
         }
-        match pack(&groups, seen.len()) {
+        match pack(&groups, footprints.len()) {
             Some(arrangement) => return arrangement,
-            // There is room, but not for rows of these shapes.
+            // The pixels suffice, but not for rows of these shapes.
             None => pixels = pixels / 4 * 3,
         }
     }
-    Arrangement::without_slots(seen.len())
+    Arrangement::without_slots(footprints.len())
 }
 
 /// Pixels that an atlas may have for so many small avatars in an image of a size. A crowd has
@@ -284,7 +290,7 @@ fn most_pixels(size: [u32; 2], small: usize) -> u64 {
 
 /// Joins small groups that may pass through each other. Returns whether some did: they have grown,
 /// and may meet others now.
-fn join_small(groups: &mut Vec<Group>) -> bool {
+fn join_small(groups: &mut Vec<AvatarGroup>) -> bool {
     groups.sort_by(|a, b| a.depth[0].total_cmp(&b.depth[0]));
     let before = groups.len();
     let mut at = 0;
@@ -310,10 +316,10 @@ fn join_small(groups: &mut Vec<Group>) -> bool {
 /// Draws groups less large until no side is longer than an atlas's and all of them have no more than
 /// so many pixels: those with the most alike, so that none of them changes by a step as others come
 /// and go. Returns whether one is drawn as large as it is shown from now on.
-fn shrink(groups: &mut [Group], pixels: u64) -> bool {
+fn shrink(groups: &mut [AvatarGroup], pixels: u64) -> bool {
     let small = || groups.iter().filter(|group| group.is_small());
     let fits = |most: f64| {
-        let own = |group: &Group| group.pixels(group.factor_within(most));
+        let own = |group: &AvatarGroup| group.pixels(group.factor_within(most));
         small().map(own).sum::<u64>() <= pixels
     };
     // All that a slot may have, then what is known to fit and what is not.
@@ -341,7 +347,7 @@ fn shrink(groups: &mut [Group], pixels: u64) -> bool {
 /// Says of each small group whether it lies behind the large ones that it meets. A group that is
 /// neither before nor behind them all is drawn as large as it is shown from now on; then this
 /// returns false, and the groups have to be looked at again.
-fn settle_sides(groups: &mut [Group]) -> bool {
+fn settle_sides(groups: &mut [AvatarGroup]) -> bool {
     let mut settled = true;
     for at in 0..groups.len() {
         if !groups[at].is_small() {
@@ -369,7 +375,7 @@ fn settle_sides(groups: &mut [Group]) -> bool {
     }
     // What is blended over the image covers what is blended behind it.
     for at in 0..groups.len() {
-        let covers = |other: &Group| {
+        let covers = |other: &AvatarGroup| {
             other.is_small()
                 && !other.behind
                 && other.meets(&groups[at])
@@ -383,11 +389,11 @@ fn settle_sides(groups: &mut [Group]) -> bool {
     settled
 }
 
-/// Places the slots of small groups, none of which is too wide, in rows, the tallest first. None
-/// where they do not fit.
-fn pack(groups: &[Group], count: usize) -> Option<Arrangement> {
+/// Places the slots of small groups, which must not be too wide, in rows, the tallest first. None if
+/// they do not fit.
+fn pack(groups: &[AvatarGroup], count: usize) -> Option<Arrangement> {
     let mut arrangement = Arrangement::without_slots(count);
-    let mut small: Vec<&Group> = groups.iter().filter(|group| group.is_small()).collect();
+    let mut small: Vec<&AvatarGroup> = groups.iter().filter(|group| group.is_small()).collect();
     // Behind the image the nearest comes first, over it the furthest.
     small.sort_by(|a, b| {
         b.behind.cmp(&a.behind).then_with(|| {
@@ -398,40 +404,43 @@ fn pack(groups: &[Group], count: usize) -> Option<Arrangement> {
             }
         })
     });
-    let room: Vec<UVec2> = small.iter().map(|group| group.room(group.factor)).collect();
+    let sizes: Vec<UVec2> = small
+        .iter()
+        .map(|group| group.slot_size(group.factor))
+        .collect();
     for group in small {
         for &member in &group.members {
             arrangement.slot_of[member] = Some(arrangement.slots.len());
         }
-        arrangement.slots.push(Slot {
+        arrangement.slots.push(AtlasSlot {
             around: group.around?,
             factor: group.factor,
             at: UVec2::ZERO,
             behind: group.behind,
         });
     }
-    let widest = room.iter().map(|room| room.x).max()?;
-    let pixels: u64 = room
+    let widest = sizes.iter().map(|size| size.x).max()?;
+    let pixels: u64 = sizes
         .iter()
-        .map(|room| u64::from(room.x) * u64::from(room.y))
+        .map(|size| u64::from(size.x) * u64::from(size.y))
         .sum();
     let width = widest.max((pixels as f64).sqrt() as u32);
     let mut order: Vec<usize> = (0..arrangement.slots.len()).collect();
-    order.sort_by_key(|&slot| std::cmp::Reverse(room[slot].y));
+    order.sort_by_key(|&slot| std::cmp::Reverse(sizes[slot].y));
     let mut next = UVec2::ZERO;
     let mut row_height = 0;
     let mut used = UVec2::ZERO;
     for slot in order {
-        let room = room[slot];
+        let size = sizes[slot];
         let slot = &mut arrangement.slots[slot];
-        if next.x + room.x > width {
+        if next.x + size.x > width {
             next = UVec2::new(0, next.y + row_height);
             row_height = 0;
         }
         slot.at = next;
-        row_height = row_height.max(room.y);
-        next.x += room.x;
-        used = used.max(slot.at + room);
+        row_height = row_height.max(size.y);
+        next.x += size.x;
+        used = used.max(slot.at + size);
     }
     arrangement.size = used.into();
     (used.y <= LONGEST).then_some(arrangement)
@@ -445,9 +454,9 @@ mod tests {
     const SIZE: [u32; 2] = [1000, 800];
 
     /// An avatar of 50 × 100 px at a place, a metre deep.
-    fn seen(x: i32, y: i32, depth: f64, factor: f64) -> Seen {
+    fn seen(x: i32, y: i32, depth: f64, factor: f64) -> AvatarFootprint {
         let min = IVec2::new(x, y);
-        Seen {
+        AvatarFootprint {
             around: Some(PlaneRect {
                 min,
                 max: min + IVec2::new(50, 100),
@@ -469,8 +478,8 @@ mod tests {
     }
 
     /// A large one in the middle of the image.
-    fn large(depth: f64) -> Seen {
-        Seen {
+    fn large(depth: f64) -> AvatarFootprint {
+        AvatarFootprint {
             around: Some(PlaneRect {
                 min: IVec2::new(300, 0),
                 max: IVec2::new(700, 800),
@@ -479,7 +488,7 @@ mod tests {
         }
     }
 
-    fn slots(seen: &[Seen]) -> Vec<Option<usize>> {
+    fn slots(seen: &[AvatarFootprint]) -> Vec<Option<usize>> {
         arrange(seen, SIZE).slot_of
     }
 
@@ -506,7 +515,7 @@ mod tests {
 
     #[test]
     fn slots_do_not_overlap_and_hold_what_they_show() {
-        let all: Vec<Seen> = (0..64)
+        let all: Vec<AvatarFootprint> = (0..64)
             .map(|k| {
                 seen(
                     90 * (k % 11) - 20,
@@ -562,7 +571,7 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_is_drawn_less_large() {
-        let wide = Seen {
+        let wide = AvatarFootprint {
             around: Some(PlaneRect {
                 min: IVec2::new(0, 0),
                 max: IVec2::new(1000, 100),
@@ -570,8 +579,8 @@ mod tests {
             ..seen(0, 0, 5.0, 4.0)
         };
         let factors = |count: usize| {
-            let all: Vec<Seen> = (0..count)
-                .map(|k| Seen {
+            let all: Vec<AvatarFootprint> = (0..count)
+                .map(|k| AvatarFootprint {
                     depth: [k as f64, k as f64 + 0.5],
                     ..wide
                 })
@@ -591,7 +600,7 @@ mod tests {
         // None is worth a slot.
         assert!(factors(60).is_empty());
         // One that is too long alone.
-        let long = Seen {
+        let long = AvatarFootprint {
             around: Some(PlaneRect {
                 min: IVec2::new(-1000, 0),
                 max: IVec2::new(2000, 10),
@@ -600,7 +609,7 @@ mod tests {
         };
         let arranged = arrange(&[long], SIZE);
         assert!(arranged.size[0] <= LONGEST && arranged.slots[0].factor > 1.3);
-        let unbounded = Seen {
+        let unbounded = AvatarFootprint {
             around: None,
             ..wide
         };

@@ -3,7 +3,7 @@
 
 use super::{
     DEPTH_KEYS, RendererOptions, Skip,
-    room::Room,
+    capacity::Capacity,
     state::{AvatarInstance, Layer},
 };
 use crate::layout::{CenterGrids, FrameBlock, TILING, bin_side};
@@ -23,10 +23,10 @@ pub struct PoseLayout {
 
 impl PoseLayout {
     /// With room for so many poses of an avatar with these constants.
-    pub fn new(constants: &FrameBlock, room: Room) -> Self {
+    pub fn new(constants: &FrameBlock, capacity: Capacity) -> Self {
         Self {
             vectors: constants.parts * constants.feature_quads + constants.nodes.div_ceil(2),
-            avatars: room.posed as u32,
+            avatars: capacity.posed as u32,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Which stages an avatar needs, from what changed since its last frame.
 
-use super::{Skip, atlas::Slot, room::Portion};
+use super::{Skip, atlas::AtlasSlot, capacity::Portion};
 use crate::scene::{Camera, PartDependencies, PartSet, Posed};
 use glam::DAffine3;
 
@@ -17,7 +17,7 @@ pub enum Skinning {
 
 /// The stages that one avatar needs in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Changes {
+pub struct AvatarChanges {
     /// Mlp and nodes run: the networks' input has changed.
     pub pose: bool,
     /// Of the networks' input only the expression has changed, which only the head's networks see.
@@ -30,7 +30,7 @@ pub struct Changes {
 
 /// How a frame sees an avatar.
 #[derive(Clone, Copy, Debug)]
-pub struct View {
+pub struct AvatarView {
     /// The camera of the image that it is drawn into.
     pub camera: Camera,
     /// What is drawn of it.
@@ -38,16 +38,16 @@ pub struct View {
     /// The coarsest of its levels by which nothing is lost.
     pub near: usize,
     /// Its slot of the atlas, if it is drawn larger than it is shown.
-    pub slot: Option<Slot>,
+    pub slot: Option<AtlasSlot>,
     /// Where its pose cache starts among those of all avatars, Gaussians.
     pub cache_start: u32,
 }
 
 /// The state of an avatar in the last image.
 #[derive(Clone, Debug)]
-struct Shown {
+struct DrawnState {
     joints: Vec<DAffine3>,
-    view: View,
+    view: AvatarView,
 }
 
 /// Remembers what the last frame showed of an avatar.
@@ -56,7 +56,7 @@ pub struct ChangeTracker {
     /// Input of the networks; None before the first frame.
     input: Option<Vec<f64>>,
     /// None before the first frame.
-    shown: Option<Shown>,
+    shown: Option<DrawnState>,
     /// Where the pose cache holds what the last frame showed, if it does.
     cached: Option<u32>,
     /// Parts whose networks have not run since their input changed.
@@ -87,7 +87,7 @@ impl ChangeTracker {
 
     /// Returns the work of the next frame, without what `skip` lets it leave out, and remembers the
     /// frame as the last one.
-    pub fn update(&mut self, posed: &Posed, view: &View, skip: Skip) -> Changes {
+    pub fn update(&mut self, posed: &Posed, view: &AvatarView, skip: Skip) -> AvatarChanges {
         let input_changed = self.input.as_ref() != Some(&posed.input);
         let pose = input_changed || !skip.contains(Skip::POSE);
         let expression_only = pose && skip.contains(Skip::EXPRESSION) && self.same_body(posed);
@@ -115,13 +115,13 @@ impl ChangeTracker {
             self.input = Some(posed.input.clone());
         }
         if redraw {
-            self.shown = Some(Shown {
+            self.shown = Some(DrawnState {
                 joints: posed.joints.clone(),
                 view: *view,
             });
             self.note_cache(skinning, view.cache_start);
         }
-        Changes {
+        AvatarChanges {
             pose,
             expression_only,
             redraw,
@@ -145,7 +145,7 @@ impl ChangeTracker {
 
     /// Remembers that the frame was drawn with these changes although this avatar alone did not
     /// need it.
-    pub fn mark_drawn(&mut self, changes: &Changes, cache_start: u32) {
+    pub fn mark_drawn(&mut self, changes: &AvatarChanges, cache_start: u32) {
         self.note_cache(changes.skinning, cache_start);
     }
 
@@ -164,7 +164,7 @@ impl ChangeTracker {
     /// run where they move nothing that is drawn: `correctives` is false.
     pub fn schedule_networks(
         &mut self,
-        changes: &Changes,
+        changes: &AvatarChanges,
         dependencies: &PartDependencies,
         visible: Option<&PartSet>,
         correctives: bool,
@@ -194,8 +194,8 @@ mod tests {
     use glam::DVec3;
 
     /// A change of the image alone.
-    fn redrawn(skinning: Skinning) -> Changes {
-        Changes {
+    fn redrawn(skinning: Skinning) -> AvatarChanges {
+        AvatarChanges {
             pose: false,
             expression_only: false,
             redraw: true,
@@ -203,15 +203,15 @@ mod tests {
         }
     }
 
-    fn posed_again(skinning: Skinning) -> Changes {
-        Changes {
+    fn posed_again(skinning: Skinning) -> AvatarChanges {
+        AvatarChanges {
             pose: true,
             ..redrawn(skinning)
         }
     }
 
-    fn unchanged(skinning: Skinning) -> Changes {
-        Changes {
+    fn unchanged(skinning: Skinning) -> AvatarChanges {
+        AvatarChanges {
             redraw: false,
             ..redrawn(skinning)
         }
@@ -221,8 +221,8 @@ mod tests {
         Camera::orbit(DVec3::ZERO, yaw, 0.0, 2.0, 0.7, [64, 64])
     }
 
-    fn view(yaw: f64, level: u32) -> View {
-        View {
+    fn view(yaw: f64, level: u32) -> AvatarView {
+        AvatarView {
             camera: camera(yaw),
             portion: Portion { model: 0, level },
             near: 0,
@@ -282,7 +282,7 @@ mod tests {
         assert!(!update(&[1.0, 2.0], Skip::all()).expression_only);
         assert_eq!(
             update(&[1.0, 3.0], Skip::all()),
-            Changes {
+            AvatarChanges {
                 expression_only: true,
                 ..posed_again(Skinning::Compute)
             }
@@ -298,11 +298,11 @@ mod tests {
         let all = dependencies.all();
         let one = PartSet::first(1);
         let mut tracker = ChangeTracker::default();
-        let mut schedule = |changes: Changes, visible: Option<&PartSet>| {
+        let mut schedule = |changes: AvatarChanges, visible: Option<&PartSet>| {
             tracker.schedule_networks(&changes, &dependencies, visible, true)
         };
         let new_pose = posed_again(Skinning::Compute);
-        let new_expression = Changes {
+        let new_expression = AvatarChanges {
             expression_only: true,
             ..new_pose
         };

@@ -3,6 +3,7 @@
 
 pub mod atlas;
 pub mod block;
+pub mod capacity;
 pub mod changes;
 pub mod check;
 pub mod counters;
@@ -14,13 +15,13 @@ pub mod passes;
 pub mod pose_cache;
 pub mod report;
 pub mod resource;
-pub mod room;
+
 pub mod schedule;
 pub mod skip;
 pub mod state;
 pub mod validate;
 
-pub use changes::{ChangeTracker, Changes, Skinning};
+pub use changes::{AvatarChanges, ChangeTracker, Skinning};
 pub use check::Unusable;
 pub use counters::{Counters, CullReasons};
 pub use damage::Damage;
@@ -28,6 +29,6 @@ pub use keys::{DEPTH_KEYS, EntryForm, KeyBits};
 pub use options::{ColorFormat, RasterMethod, RendererOptions, SortVariant};
 pub use passes::Stage;
 pub use report::FrameReport;
-pub use schedule::Schedule;
+pub use schedule::FrameSchedule;
 pub use skip::Skip;
 pub use state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches};

@@ -88,14 +88,14 @@ pub enum ListForm {
 
 /// An image that a layer of avatars is drawn into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Target {
+pub enum RenderTarget {
     /// The image of avatars that are drawn larger than they are shown.
     Atlas,
     /// The image that the frame makes.
     Image,
 }
 
-impl Target {
+impl RenderTarget {
     /// Its memory.
     fn resource(self) -> Resource {
         match self {
@@ -149,12 +149,12 @@ pub enum Pass {
     /// Writes each splat to the lists of the tiles that it meets.
     Binning {
         /// The layer's image.
-        target: Target,
+        target: RenderTarget,
     },
     /// Makes the lists of splats of each bin.
     Bin {
         /// The layer's image.
-        target: Target,
+        target: RenderTarget,
     },
     /// Finds the depth behind which hardly anything shows, for each four pixels.
     Saturation,
@@ -163,14 +163,14 @@ pub enum Pass {
         /// Which lists it walks.
         lists: ListForm,
         /// The layer's image.
-        target: Target,
+        target: RenderTarget,
     },
     /// Blends quads with the device's blender.
     RasterQuads {
         /// Whether fragments are tested against the saturation depth.
         tested: bool,
         /// The layer's image.
-        target: Target,
+        target: RenderTarget,
     },
     /// Averages the atlas's slots, and blends them into the image.
     Resolve {
@@ -251,7 +251,7 @@ impl Pass {
         use Resource::*;
         let target = match *self {
             Self::RasterTiles { target, .. } | Self::RasterQuads { target, .. } => target,
-            _ => Target::Image,
+            _ => RenderTarget::Image,
         };
         let mut uses = Vec::new();
         for kernel in self.kernels() {
@@ -307,7 +307,7 @@ mod tests {
 
     #[test]
     fn every_kernel_is_of_a_pass() {
-        let target = Target::Image;
+        let target = RenderTarget::Image;
         let project = |skinning| Pass::Project {
             instance: 0,
             model: 0,

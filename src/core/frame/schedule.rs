@@ -2,7 +2,7 @@
 
 use super::{
     FramePlan, RasterMethod, Skip,
-    passes::{ListForm, Pass, Stage, Target},
+    passes::{ListForm, Pass, RenderTarget, Stage},
     resource::{PipelineStages, Resource},
     state::Layer,
 };
@@ -39,14 +39,14 @@ pub enum SkipReason {
 
 /// What a backend records.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Command {
+pub enum FrameCommand {
     /// Orders memory. Backends that order it by themselves pass over it.
     Barrier(Barrier),
     /// Runs a pass.
     Run(Pass),
 }
 
-impl Command {
+impl FrameCommand {
     /// The pass that it runs, if it runs one.
     pub fn pass(&self) -> Option<&Pass> {
         match self {
@@ -62,13 +62,13 @@ pub struct ScheduledStage {
     /// Its name.
     pub stage: Stage,
     /// Its passes and the barriers between them, in order.
-    pub commands: Vec<Command>,
+    pub commands: Vec<FrameCommand>,
 }
 
 impl ScheduledStage {
     /// Its passes, in order.
     pub fn passes(&self) -> impl Iterator<Item = &Pass> {
-        self.commands.iter().filter_map(Command::pass)
+        self.commands.iter().filter_map(FrameCommand::pass)
     }
 
     /// Whether it draws quads.
@@ -80,9 +80,9 @@ impl ScheduledStage {
 
 /// What a backend does next.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Step {
+pub enum ScheduleStep {
     /// Work that belongs to no stage.
-    Command(Command),
+    Command(FrameCommand),
     /// A stage, which gets a label and timestamps.
     Stage(ScheduledStage),
     /// A stage that the renderer has and this frame does not need.
@@ -144,14 +144,14 @@ pub struct DeviceState {
 
 /// A frame, from its first pass to its last.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Schedule {
+pub struct FrameSchedule {
     /// What the backend does, in order.
-    pub steps: Vec<Step>,
+    pub steps: Vec<ScheduleStep>,
     /// Keys that the sort takes in this frame: [`DeviceState::key_count`] of the next.
     pub key_count: u32,
 }
 
-impl Schedule {
+impl FrameSchedule {
     /// The frame: which passes run, in which order, what is skipped and why. This is the one place
     /// that says so.
     pub fn new(plan: &FramePlan, equipment: &Equipment, device_state: DeviceState) -> Self {
@@ -177,7 +177,7 @@ impl Schedule {
         let in_image = !plan.image.instances.is_empty();
         if plan.redraw {
             if let Some(atlas) = &plan.atlas {
-                steps.layer(&atlas.layer, Target::Atlas, equipment);
+                steps.layer(&atlas.layer, RenderTarget::Atlas, equipment);
                 if in_image {
                     steps.run(Pass::KeepCounts);
                     steps.set_key_count(plan.image.key_count());
@@ -185,10 +185,10 @@ impl Schedule {
                 }
             }
             if in_image {
-                steps.layer(&plan.image, Target::Image, equipment);
+                steps.layer(&plan.image, RenderTarget::Image, equipment);
             } else if plan.atlas.is_none() {
                 // An empty image is made by the stages that make any.
-                steps.raster(equipment, false, Target::Image);
+                steps.raster(equipment, false, RenderTarget::Image);
             }
             if plan.atlas.is_some() {
                 steps.stage(Stage::Resolve, vec![Pass::Resolve { clear: !in_image }]);
@@ -217,20 +217,20 @@ impl Schedule {
     /// The stages that this frame skips, with the reasons.
     pub fn skipped(&self) -> impl Iterator<Item = (Stage, SkipReason)> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Skip(stage, reason) => Some((*stage, *reason)),
+            ScheduleStep::Skip(stage, reason) => Some((*stage, *reason)),
             _ => None,
         })
     }
 
     /// The passes, in order.
     pub fn passes(&self) -> impl Iterator<Item = &Pass> {
-        self.commands().filter_map(Command::pass)
+        self.commands().filter_map(FrameCommand::pass)
     }
 
     /// The stages that run, in order.
     pub fn stages(&self) -> impl Iterator<Item = &ScheduledStage> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Stage(stage) => Some(stage),
+            ScheduleStep::Stage(stage) => Some(stage),
             _ => None,
         })
     }
@@ -242,11 +242,11 @@ impl Schedule {
     }
 
     /// All passes and barriers, in order, those of stages included.
-    pub fn commands(&self) -> impl Iterator<Item = &Command> {
+    pub fn commands(&self) -> impl Iterator<Item = &FrameCommand> {
         self.steps.iter().flat_map(|step| match step {
-            Step::Command(command) => std::slice::from_ref(command),
-            Step::Stage(stage) => &stage.commands,
-            Step::Skip(..) => &[],
+            ScheduleStep::Command(command) => std::slice::from_ref(command),
+            ScheduleStep::Stage(stage) => &stage.commands,
+            ScheduleStep::Skip(..) => &[],
         })
     }
 }
@@ -276,7 +276,7 @@ impl Default for History {
 
 /// Puts steps in order, with the barriers that the passes' uses of memory ask for.
 struct Recorder {
-    steps: Vec<Step>,
+    steps: Vec<ScheduleStep>,
     /// Keys that the control says the sort takes; None where that is not known.
     key_count: Option<u32>,
     /// The stage that commands go into, while there is one.
@@ -290,7 +290,7 @@ impl Recorder {
     fn new(key_count: Option<u32>) -> Self {
         Self {
             key_count,
-            steps: vec![Step::Command(Command::Barrier(Barrier {
+            steps: vec![ScheduleStep::Command(FrameCommand::Barrier(Barrier {
                 before: PipelineStages::all() - PipelineStages::COLOR,
                 after: PipelineStages::all() - PipelineStages::COLOR,
             }))],
@@ -299,16 +299,16 @@ impl Recorder {
         }
     }
 
-    fn push(&mut self, command: Command) {
+    fn push(&mut self, command: FrameCommand) {
         match &mut self.open {
             Some(stage) => stage.commands.push(command),
-            None => self.steps.push(Step::Command(command)),
+            None => self.steps.push(ScheduleStep::Command(command)),
         }
     }
 
     fn run(&mut self, pass: Pass) {
         self.order(&pass);
-        self.push(Command::Run(pass));
+        self.push(FrameCommand::Run(pass));
     }
 
     fn stage(&mut self, stage: Stage, passes: Vec<Pass>) {
@@ -323,7 +323,7 @@ impl Recorder {
         for pass in passes {
             self.run(pass);
         }
-        self.steps.extend(self.open.take().map(Step::Stage));
+        self.steps.extend(self.open.take().map(ScheduleStep::Stage));
     }
 
     /// Has the sort take that many keys.
@@ -338,18 +338,18 @@ impl Recorder {
     fn has(&self, stage: Stage) -> bool {
         self.steps
             .iter()
-            .any(|step| matches!(step, Step::Stage(own) if own.stage == stage))
+            .any(|step| matches!(step, ScheduleStep::Stage(own) if own.stage == stage))
     }
 
     fn skip(&mut self, stage: Stage, reason: SkipReason) {
-        self.steps.push(Step::Skip(stage, reason));
+        self.steps.push(ScheduleStep::Skip(stage, reason));
     }
 
     /// Draws the avatars of a layer, at least one.
-    fn layer(&mut self, layer: &Layer, target: Target, equipment: &Equipment) {
+    fn layer(&mut self, layer: &Layer, target: RenderTarget, equipment: &Equipment) {
         self.geometry(layer, equipment);
         self.stage(Stage::Sort, vec![Pass::Sort]);
-        let tested = target == Target::Image
+        let tested = target == RenderTarget::Image
             && equipment.tests_depth()
             && layer.pixels_a_gaussian >= SATURATION_PIXELS;
         self.raster(equipment, tested, target);
@@ -386,7 +386,7 @@ impl Recorder {
     }
 
     /// `tested`: whether quads are tested against the saturation depth.
-    fn raster(&mut self, equipment: &Equipment, tested: bool, target: Target) {
+    fn raster(&mut self, equipment: &Equipment, tested: bool, target: RenderTarget) {
         let lists = equipment
             .lists()
             .filter(|_| tested || equipment.method.is_tiles());
@@ -435,7 +435,7 @@ impl Recorder {
                 history.waits |= after;
             }
         }
-        self.push(Command::Barrier(Barrier { before, after }));
+        self.push(FrameCommand::Barrier(Barrier { before, after }));
     }
 
     fn order(&mut self, pass: &Pass) {
@@ -463,8 +463,8 @@ mod tests {
     use crate::{
         avatar::{Avatar, Pose},
         frame::{
-            Counters, FrameState, PlanInput, RendererOptions, StageDispatches, passes::Use,
-            room::Room,
+            Counters, FrameState, PlanInput, RendererOptions, StageDispatches, capacity::Capacity,
+            passes::Use,
         },
         scene::{AvatarBounds, Camera, PartDependencies, Posed, Supersampling},
     };
@@ -514,7 +514,7 @@ mod tests {
             Camera::orbit(middle, yaw, 0.0, 3.0, 0.6, self.options.size)
         }
 
-        fn frame(&mut self, poses: &[Posed], yaw: f64, equipment: &Equipment) -> Schedule {
+        fn frame(&mut self, poses: &[Posed], yaw: f64, equipment: &Equipment) -> FrameSchedule {
             let camera = self.camera(yaw);
             let poses: Vec<&Posed> = poses.iter().collect();
             let plan = self.state.plan(PlanInput {
@@ -523,10 +523,10 @@ mod tests {
                 bounds: &self.bounds,
                 dependencies: &self.dependencies,
                 options: &self.options,
-                room: Room::new(&self.options, &self.bounds).expect("room for all"),
+                capacity: Capacity::new(&self.options, &self.bounds).expect("room for all"),
                 always_submit: true,
             });
-            let schedule = Schedule::new(&plan, equipment, self.device_state);
+            let schedule = FrameSchedule::new(&plan, equipment, self.device_state);
             let dispatches = StageDispatches {
                 has_sh: equipment.sh,
                 sort: 0,
@@ -561,17 +561,17 @@ mod tests {
         ]
     }
 
-    fn names(schedule: &Schedule) -> Vec<&'static str> {
+    fn names(schedule: &FrameSchedule) -> Vec<&'static str> {
         schedule.stages().map(|stage| stage.stage.name()).collect()
     }
 
     /// Between a use of memory and the last write before it, and between a write and the reads
     /// since the last one, stands a barrier that names both ends.
-    fn assert_ordered(schedule: &Schedule) {
+    fn assert_ordered(schedule: &FrameSchedule) {
         let mut earlier: Vec<(usize, Pass, Use)> = Vec::new();
-        let commands: Vec<&Command> = schedule.commands().collect();
+        let commands: Vec<&FrameCommand> = schedule.commands().collect();
         for (at, command) in commands.iter().enumerate() {
-            let Command::Run(pass) = command else {
+            let FrameCommand::Run(pass) = command else {
                 continue;
             };
             for used in pass.uses() {
@@ -580,7 +580,7 @@ mod tests {
                         continue;
                     }
                     let ordered = commands[*before..at].iter().any(|command| {
-                        matches!(command, Command::Barrier(barrier)
+                        matches!(command, FrameCommand::Barrier(barrier)
                             if barrier.before.contains(former.stages)
                                 && barrier.after.contains(used.stages))
                     });
@@ -718,11 +718,11 @@ mod tests {
                 .posed(0.1, 0.0)
                 .placed(DAffine3::from_translation(30.0 * back));
             let gone = planner.posed(0.1, 1e4);
-            let sorts = |frame: &Schedule| {
+            let sorts = |frame: &FrameSchedule| {
                 let names = names(frame);
                 names.iter().filter(|name| **name == "sort").count()
             };
-            let resolves = |frame: &Schedule| {
+            let resolves = |frame: &FrameSchedule| {
                 frame.passes().find_map(|pass| match pass {
                     Pass::Resolve { clear } => Some(*clear),
                     _ => None,
@@ -762,7 +762,7 @@ mod tests {
             let poses = [planner.posed(0.1, aside)];
             planner.frame(&poses, 0.0, &tested)
         };
-        let tests = |frame: &Schedule| {
+        let tests = |frame: &FrameSchedule| {
             frame
                 .passes()
                 .any(|pass| matches!(pass, Pass::RasterQuads { tested: true, .. }))

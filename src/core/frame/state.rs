@@ -1,12 +1,12 @@
 //! Plans a frame before anything is asked of the device: which avatars are in view, what each of
-//! them has to compute again, and what all of them share.
+//! them has to compute again, and what they share.
 
 use super::{
-    ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip,
-    atlas::{Arrangement, LevelInput, Seen, Slot, arrange},
-    changes::View,
+    AvatarChanges, ChangeTracker, Counters, RendererOptions, Skinning, Skip,
+    atlas::{Arrangement, AtlasSlot, AvatarFootprint, LevelInput, arrange},
+    capacity::{Capacity, Portion, PosePlaces},
+    changes::AvatarView,
     damage::{Damage, regions_around},
-    room::{Portion, PosePlaces, Room},
 };
 use crate::avatar::LowPass;
 use crate::scene::{
@@ -22,14 +22,14 @@ pub struct AvatarInstance<'a> {
     pub posed: &'a Posed,
     /// The camera that sees it in the image that its layer is drawn into.
     pub camera: Camera,
-    /// The part of the atlas that it must stay in; None in the image.
+    /// The part of the atlas that it must stay in; None for an avatar in the image.
     pub slot: Option<PixelRect>,
     /// Samples a pixel of the frame's image along each axis, at least 1.
     pub samples: f64,
     /// The low-pass that it is drawn with.
     pub low_pass: LowPass,
-    /// Longest side of its box in the frame's image, px; infinite where it crosses the near plane,
-    /// 0 where sizes decide nothing.
+    /// Longest side of its box in the frame's image, px; infinite if it crosses the near plane, 0
+    /// without supersampling.
     pub side: f64,
     /// Which of the avatar's levels is drawn ([`crate::scene::levels`]); 0 is the avatar itself.
     pub model: usize,
@@ -46,14 +46,14 @@ pub struct AvatarInstance<'a> {
     /// Its place in the pose buffer, if networks move it.
     pub pose_place: usize,
     /// Which stages it needs.
-    pub changes: Changes,
+    pub changes: AvatarChanges,
     /// Nearest and furthest depth along the camera's axis, metres.
     depth: [f64; 2],
-    /// Area of its box in the frame's image, px²; None where it crosses the near plane.
+    /// Area of its box in the frame's image, px²; None if it crosses the near plane.
     pixels: Option<f64>,
-    /// Parts that may be in view; None where visibility does not matter.
+    /// Parts that may be in view; None without [`Skip::PARTS`].
     visible_parts: Option<PartSet>,
-    /// Parts all outside the view.
+    /// Parts that are entirely outside the view.
     pub culled_parts: PartSet,
     /// Parts whose networks run.
     pub networks: PartSet,
@@ -77,12 +77,28 @@ pub struct Layer<'a> {
     pub drawn: PixelRect,
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
-    /// Pixels of the box around an avatar for each Gaussian of it that is drawn: of the avatar in
-    /// view that has the fewest. Infinite where that decides nothing.
+    /// Pixels of the box around an avatar for each Gaussian drawn of it, for the avatar in view with
+    /// the fewest. Infinite if this decides nothing.
     pub pixels_a_gaussian: f64,
 }
 
-impl Layer<'_> {
+impl<'a> Layer<'a> {
+    /// A layer for which [`Self::pixels_a_gaussian`] decides nothing.
+    fn new(
+        instances: Vec<AvatarInstance<'a>>,
+        camera: &Camera,
+        size: [u32; 2],
+        drawn: PixelRect,
+    ) -> Self {
+        Self {
+            depth_range: depth_range(&instances, camera),
+            pixels_a_gaussian: f64::INFINITY,
+            instances,
+            size,
+            drawn,
+        }
+    }
+
     /// Keys of all its avatars.
     pub fn key_count(&self) -> u32 {
         self.instances.last().map_or(0, AvatarInstance::end_key)
@@ -94,22 +110,22 @@ pub struct Atlas<'a> {
     /// The avatars, and the image that they are drawn into.
     pub layer: Layer<'a>,
     /// The parts of the frame's image that it holds, in the order in which they are blended.
-    pub slots: Vec<Slot>,
+    pub slots: Vec<AtlasSlot>,
 }
 
 /// The plan of one frame.
 pub struct FramePlan<'a> {
     /// The avatars drawn as large as they are shown.
     pub image: Layer<'a>,
-    /// The others; None where there are none.
+    /// The avatars drawn larger than they are shown; None if there are no such avatars.
     pub atlas: Option<Atlas<'a>>,
     /// Whether project, sort and raster run: something in the image has changed.
     pub redraw: bool,
     /// Avatars in the scene, in view or not.
     pub avatar_count: usize,
     /// A rectangle of the image around all that is drawn; the whole image without
-    /// [`Skip::DAMAGE`]. What correctives move further than [`AvatarBounds::visible`] allows for is
-    /// cut off there, in every frame alike; by tiles at the regions around it.
+    /// [`Skip::DAMAGE`]. Splats that correctives move further than [`AvatarBounds::visible`] allows
+    /// for are cut off there, in every frame alike; by tiles at the regions around it.
     pub drawn_rect: PixelRect,
 }
 
@@ -126,8 +142,8 @@ pub struct PlanInput<'a, 'pose> {
     pub dependencies: &'a PartDependencies,
     /// The renderer's options.
     pub options: &'a RendererOptions,
-    /// The renderer's room.
-    pub room: Room,
+    /// How much the renderer's buffers can hold.
+    pub capacity: Capacity,
     /// Whether the frame is submitted even if nothing has changed.
     pub always_submit: bool,
 }
@@ -154,28 +170,45 @@ pub struct FrameState {
     last_drawn: Option<Vec<usize>>,
 }
 
-/// An avatar in view, before its place is known.
-struct Candidate {
+/// An avatar in view, before it is known which image it is drawn into.
+struct VisibleAvatar {
     /// Index of its pose.
     index: usize,
     /// Where it is.
     visible: Visible,
     /// How it may be drawn; None without supersampling.
-    seen: Option<Seen>,
+    footprint: Option<AvatarFootprint>,
     /// The coarsest of its levels by which nothing is lost.
     near: usize,
 }
 
-/// Where an avatar in view is drawn.
-struct Place<'a> {
-    /// None in the image.
-    slot: Option<&'a Slot>,
-    /// Width and height of the atlas, px.
-    atlas_size: [u32; 2],
+/// Where an avatar in view is drawn, and where its data goes.
+struct Placement<'a> {
+    /// Its slot of the atlas; None in the image.
+    slot: Option<&'a AtlasSlot>,
+    /// [`AvatarInstance::camera`].
+    camera: Camera,
     /// [`AvatarInstance::first_key`].
     first_key: u32,
     /// [`AvatarInstance::cache_start`].
     cache_start: u32,
+}
+
+/// The avatars in view, by the image that they are drawn into.
+#[derive(Default)]
+struct PlacedAvatars<'a> {
+    image: Vec<AvatarInstance<'a>>,
+    atlas: Vec<AvatarInstance<'a>>,
+}
+
+impl<'a> PlacedAvatars<'a> {
+    fn all(&self) -> impl Iterator<Item = &AvatarInstance<'a>> {
+        self.image.iter().chain(&self.atlas)
+    }
+
+    fn all_mut(&mut self) -> impl Iterator<Item = &mut AvatarInstance<'a>> {
+        self.image.iter_mut().chain(&mut self.atlas)
+    }
 }
 
 impl FrameState {
@@ -183,180 +216,107 @@ impl FrameState {
     /// or reset this state, so that the next frame does not rely on it.
     pub fn plan<'pose>(&mut self, input: PlanInput<'_, 'pose>) -> FramePlan<'pose> {
         let PlanInput {
-            poses,
-            camera,
-            bounds,
-            options,
-            ..
+            camera, options, ..
         } = input;
-        let skip = options.skip;
         self.trackers
             .resize(options.instances, ChangeTracker::default());
-        let whole = PixelRect::whole(camera.size);
-        let mut drawn_rect = if skip.contains(Skip::DAMAGE) {
-            PixelRect::EMPTY
-        } else {
-            whole
-        };
-        let mut candidates = Vec::with_capacity(poses.len());
-        for (index, &posed) in poses.iter().enumerate() {
-            if skip.contains(Skip::AVATARS) && bounds.is_outside(&posed.joints, camera) {
-                continue;
-            }
-            let visible = bounds.visible(&posed.joints, camera);
-            if visible.parts.is_empty() && skip.contains(Skip::AVATARS) {
-                continue;
-            }
-            let has_margin = bounds.has_margin_for(&posed.input);
-            drawn_rect = drawn_rect.union(if skip.contains(Skip::DAMAGE) && has_margin {
-                visible.rect
-            } else {
-                whole
-            });
-            let seen = options.supersampling.is_on().then(|| {
-                Seen::new(
-                    bounds,
-                    &visible,
-                    LevelInput {
-                        supersampling: options.supersampling,
-                        before: self.trackers[index].near(),
-                        coarser: options.detail.coarser,
-                    },
-                )
-            });
-            candidates.push(Candidate {
-                index,
-                visible,
-                seen,
-                near: 0,
-            });
-        }
-        // All are measured, or none.
-        let seen: Vec<Seen> = candidates.iter().filter_map(|own| own.seen).collect();
-        let arrangement = if options.supersampling.is_on() {
-            arrange(&seen, camera.size)
-        } else {
-            Arrangement::without_slots(candidates.len())
-        };
-        let portions = self.portions(&input, &mut candidates, &arrangement);
-        let mut image = Vec::with_capacity(candidates.len());
-        let mut atlas = Vec::new();
-        let mut cache_start = 0;
-        for (place_index, candidate) in candidates.into_iter().enumerate() {
-            let slot = arrangement.slot_of[place_index].map(|slot| &arrangement.slots[slot]);
-            let instances = if slot.is_some() {
-                &mut atlas
-            } else {
-                &mut image
-            };
-            let first_key = instances.last().map_or(0, AvatarInstance::end_key);
-            let place = Place {
-                slot,
-                atlas_size: arrangement.size,
-                first_key,
-                cache_start,
-            };
-            let instance = self.instance(input, candidate, portions[place_index], place);
-            cache_start += instance.gaussians;
-            instances.push(instance);
-        }
-
-        let mut in_view: Vec<_> = image.iter().chain(&atlas).map(|own| own.index).collect();
-        in_view.sort_unstable();
-        let others_in_view = self.last_drawn.as_ref() != Some(&in_view);
-        let redraw = !skip.contains(Skip::FRAME)
-            || others_in_view
-            || image.iter().chain(&atlas).any(|own| own.changes.redraw);
-        if redraw {
-            for (index, tracker) in self.trackers.iter_mut().enumerate() {
-                if in_view.binary_search(&index).is_err() {
-                    tracker.mark_absent();
-                }
-            }
-        }
-        self.last_drawn = Some(in_view);
+        let mut avatars = self.visible_avatars(&input);
+        let drawn_rect = drawn_rect(&input, &avatars);
+        let arrangement = arrangement(&input, &avatars);
+        let portions = self.portions(&input, &mut avatars, &arrangement);
+        let mut placed = self.place(&input, avatars, &portions, &arrangement);
+        let redraw = self.update_view(&placed, options.skip);
         // A frame that is not submitted runs no networks: they stay due.
         if redraw || input.always_submit {
-            self.place_poses(image.iter_mut().chain(&mut atlas), input.room.posed);
-            for instance in image.iter_mut().chain(&mut atlas) {
-                let tracker = &mut self.trackers[instance.index];
-                instance.networks = tracker.schedule_networks(
-                    &instance.changes,
-                    input.dependencies,
-                    instance.visible_parts.as_ref(),
-                    instance.correctives,
-                );
-                if redraw {
-                    tracker.mark_drawn(&instance.changes, instance.cache_start);
-                }
-            }
+            self.schedule_networks(&input, &mut placed, redraw);
         }
-        let image = Layer {
-            depth_range: depth_range(&image, camera),
-            pixels_a_gaussian: if redraw && skip.contains(Skip::DEPTH) {
-                pixels_a_gaussian(&image)
-            } else {
-                f64::INFINITY
-            },
-            instances: image,
-            size: camera.size,
-            drawn: regions_around(drawn_rect, camera.size),
-        };
+        let drawn = regions_around(drawn_rect, camera.size);
+        let mut image = Layer::new(placed.image, camera, camera.size, drawn);
+        if redraw && options.skip.contains(Skip::DEPTH) {
+            image.pixels_a_gaussian = pixels_a_gaussian(&image.instances);
+        }
         let size = arrangement.size;
-        let atlas = (!atlas.is_empty()).then(|| Atlas {
-            layer: Layer {
-                depth_range: depth_range(&atlas, camera),
-                pixels_a_gaussian: f64::INFINITY,
-                instances: atlas,
-                size,
-                drawn: PixelRect::whole(size),
-            },
+        let atlas = (!placed.atlas.is_empty()).then(|| Atlas {
+            layer: Layer::new(placed.atlas, camera, size, PixelRect::whole(size)),
             slots: arrangement.slots,
         });
         FramePlan {
             image,
             atlas,
             redraw,
-            avatar_count: poses.len(),
+            avatar_count: input.poses.len(),
             drawn_rect,
         }
     }
 
-    /// What is drawn of each avatar in view: at most what there is room for.
+    /// The avatars in view: all of them without [`Skip::AVATARS`].
+    fn visible_avatars(&self, input: &PlanInput) -> Vec<VisibleAvatar> {
+        let PlanInput {
+            camera,
+            bounds,
+            options,
+            ..
+        } = input;
+        let skip_outside = options.skip.contains(Skip::AVATARS);
+        let mut avatars = Vec::with_capacity(input.poses.len());
+        for (index, posed) in input.poses.iter().enumerate() {
+            if skip_outside && bounds.is_outside(&posed.joints, camera) {
+                continue;
+            }
+            let visible = bounds.visible(&posed.joints, camera);
+            if skip_outside && visible.parts.is_empty() {
+                continue;
+            }
+            let footprint = options.supersampling.is_on().then(|| {
+                let level_input = LevelInput {
+                    supersampling: options.supersampling,
+                    before: self.trackers[index].near(),
+                    coarser: options.detail.coarser,
+                };
+                AvatarFootprint::new(bounds, &visible, level_input)
+            });
+            avatars.push(VisibleAvatar {
+                index,
+                visible,
+                footprint,
+                near: 0,
+            });
+        }
+        avatars
+    }
+
+    /// What is drawn of each avatar in view, within the capacity.
     fn portions(
         &self,
         input: &PlanInput,
-        candidates: &mut [Candidate],
+        avatars: &mut [VisibleAvatar],
         arrangement: &Arrangement,
     ) -> Vec<Portion> {
-        let mut portions: Vec<Portion> = candidates
+        let mut portions: Vec<Portion> = avatars
             .iter_mut()
-            .zip(&arrangement.slot_of)
-            .map(|(candidate, slot)| {
-                let slot = slot.map(|slot| &arrangement.slots[slot]);
-                self.portion(input, candidate, slot)
-            })
+            .enumerate()
+            .map(|(number, avatar)| self.portion(input, avatar, arrangement.slot(number)))
             .collect();
-        let side = |place: usize| candidates[place].visible.longest_side();
-        input.room.fit(&mut portions, side, input.bounds);
+        let side = |number: usize| avatars[number].visible.longest_side();
+        input.capacity.fit(&mut portions, side, input.bounds);
         portions
     }
 
-    /// What is drawn of an avatar in view where there is room. Notes which level was near enough.
+    /// What is drawn of an avatar in view if the capacity suffices. Notes which level was near enough.
     fn portion(
         &self,
         input: &PlanInput,
-        candidate: &mut Candidate,
-        slot: Option<&Slot>,
+        avatar: &mut VisibleAvatar,
+        slot: Option<&AtlasSlot>,
     ) -> Portion {
         let PlanInput {
             bounds, options, ..
         } = input;
-        let tracker = &self.trackers[candidate.index];
+        let tracker = &self.trackers[avatar.index];
         // Levels are for what is small, at several samples a pixel.
-        if let (Some(slot), Some(seen)) = (slot, candidate.seen) {
-            let chosen = seen.chosen_for(bounds, slot.factor);
-            candidate.near = chosen.near;
+        if let (Some(slot), Some(footprint)) = (slot, avatar.footprint) {
+            let chosen = footprint.chosen_for(bounds, slot.factor);
+            avatar.near = chosen.near;
             if chosen.level > 0 {
                 return Portion {
                     model: chosen.level,
@@ -365,7 +325,7 @@ impl FrameState {
             }
         }
         let samples = slot.map_or(1.0, |slot| slot.factor * slot.factor);
-        let pixels = || Some(samples * candidate.visible.pixels()?);
+        let pixels = || Some(samples * avatar.visible.pixels()?);
         let before = tracker.level();
         // Without levels in the file, each coarser one is half of the Gaussians.
         let coarser = slot.map_or(0, |_| options.detail.coarser as u32);
@@ -376,35 +336,66 @@ impl FrameState {
         }
     }
 
+    /// Places avatars in the image or in the atlas, one after the other in the buffers.
+    fn place<'pose>(
+        &mut self,
+        input: &PlanInput<'_, 'pose>,
+        avatars: Vec<VisibleAvatar>,
+        portions: &[Portion],
+        arrangement: &Arrangement,
+    ) -> PlacedAvatars<'pose> {
+        let mut placed = PlacedAvatars::default();
+        let mut cache_start = 0;
+        for (number, (avatar, &portion)) in avatars.into_iter().zip(portions).enumerate() {
+            let slot = arrangement.slot(number);
+            let instances = match slot {
+                Some(_) => &mut placed.atlas,
+                None => &mut placed.image,
+            };
+            let camera = slot.map_or(*input.camera, |slot| {
+                slot.camera(input.camera, arrangement.size)
+            });
+            let placement = Placement {
+                slot,
+                camera,
+                first_key: instances.last().map_or(0, AvatarInstance::end_key),
+                cache_start,
+            };
+            let instance = self.instance(input, avatar, portion, placement);
+            cache_start += instance.gaussians;
+            instances.push(instance);
+        }
+        placed
+    }
+
     /// An avatar in view, whose networks are still to be scheduled.
     fn instance<'pose>(
         &mut self,
-        input: PlanInput<'_, 'pose>,
-        candidate: Candidate,
+        input: &PlanInput<'_, 'pose>,
+        avatar: VisibleAvatar,
         portion: Portion,
-        place: Place,
+        placement: Placement,
     ) -> AvatarInstance<'pose> {
         let PlanInput {
             bounds, options, ..
         } = input;
-        let Candidate {
+        let VisibleAvatar {
             index,
             visible,
-            seen,
+            footprint,
             near,
-        } = candidate;
-        let Place {
+        } = avatar;
+        let Placement {
             slot,
-            atlas_size,
+            camera,
             first_key,
             cache_start,
-        } = place;
+        } = placement;
         let Portion { model, level } = portion;
         let posed = input.poses[index];
         let visible_parts = options.skip.contains(Skip::PARTS).then_some(visible.parts);
-        let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
         let samples = slot.map_or(1.0, |slot| slot.factor);
-        let view = View {
+        let view = AvatarView {
             camera,
             portion,
             near,
@@ -423,10 +414,10 @@ impl FrameState {
             index,
             posed,
             camera,
-            slot: slot.map(Slot::rect),
+            slot: slot.map(AtlasSlot::rect),
             samples,
             low_pass: low_pass(bounds.filter(), options.filter, samples),
-            side: seen.map_or(0.0, |seen| seen.side),
+            side: footprint.map_or(0.0, |footprint| footprint.side),
             model,
             correctives: portion.correctives(bounds),
             level,
@@ -443,14 +434,45 @@ impl FrameState {
         }
     }
 
-    /// Gives avatars that networks move their places in the pose buffer. Where one is new, all of
-    /// the avatar's networks are due.
-    fn place_poses<'own, 'pose: 'own>(
-        &mut self,
-        instances: impl Iterator<Item = &'own mut AvatarInstance<'pose>>,
-        count: usize,
-    ) {
-        let mut posed: Vec<_> = instances.filter(|own| own.correctives).collect();
+    /// Whether the image has to be drawn again. Remembers which avatars are in view.
+    fn update_view(&mut self, placed: &PlacedAvatars, skip: Skip) -> bool {
+        let mut in_view: Vec<_> = placed.all().map(|own| own.index).collect();
+        in_view.sort_unstable();
+        let redraw = !skip.contains(Skip::FRAME)
+            || self.last_drawn.as_ref() != Some(&in_view)
+            || placed.all().any(|own| own.changes.redraw);
+        if redraw {
+            for (index, tracker) in self.trackers.iter_mut().enumerate() {
+                if in_view.binary_search(&index).is_err() {
+                    tracker.mark_absent();
+                }
+            }
+        }
+        self.last_drawn = Some(in_view);
+        redraw
+    }
+
+    /// Decides which networks of a frame that is submitted run. `redraw`: whether it also draws.
+    fn schedule_networks(&mut self, input: &PlanInput, placed: &mut PlacedAvatars, redraw: bool) {
+        self.place_poses(placed, input.capacity.posed);
+        for instance in placed.all_mut() {
+            let tracker = &mut self.trackers[instance.index];
+            instance.networks = tracker.schedule_networks(
+                &instance.changes,
+                input.dependencies,
+                instance.visible_parts.as_ref(),
+                instance.correctives,
+            );
+            if redraw {
+                tracker.mark_drawn(&instance.changes, instance.cache_start);
+            }
+        }
+    }
+
+    /// Gives avatars that networks move their places, of `count`, in the pose buffer. All networks
+    /// of an avatar with a new place are due.
+    fn place_poses(&mut self, placed: &mut PlacedAvatars, count: usize) {
+        let mut posed: Vec<_> = placed.all_mut().filter(|own| own.correctives).collect();
         posed.sort_unstable_by_key(|own| own.index);
         let indices: Vec<usize> = posed.iter().map(|own| own.index).collect();
         let places = self.pose_places.assign(&indices, count);
@@ -464,7 +486,7 @@ impl FrameState {
 }
 
 impl Atlas<'_> {
-    /// It holds one frame's avatars: nothing of the frame before is of use.
+    /// All of it: nothing of the frame before is kept.
     pub fn damage(&self) -> Damage {
         let size = self.layer.size;
         Damage::new(PixelRect::whole(size), None, size)
@@ -534,7 +556,39 @@ impl<'a> FramePlan<'a> {
     }
 }
 
-/// [`Layer::pixels_a_gaussian`]; infinite where all avatars in view cross the near plane.
+/// [`FramePlan::drawn_rect`].
+fn drawn_rect(input: &PlanInput, avatars: &[VisibleAvatar]) -> PixelRect {
+    let whole = PixelRect::whole(input.camera.size);
+    if !input.options.skip.contains(Skip::DAMAGE) {
+        return whole;
+    }
+    let around = |avatar: &VisibleAvatar| {
+        let has_margin = input
+            .bounds
+            .has_margin_for(&input.poses[avatar.index].input);
+        if has_margin {
+            avatar.visible.rect
+        } else {
+            whole
+        }
+    };
+    avatars
+        .iter()
+        .map(around)
+        .fold(PixelRect::EMPTY, PixelRect::union)
+}
+
+/// Which avatars are drawn into the atlas, and where.
+fn arrangement(input: &PlanInput, avatars: &[VisibleAvatar]) -> Arrangement {
+    if !input.options.supersampling.is_on() {
+        return Arrangement::without_slots(avatars.len());
+    }
+    // With supersampling, each avatar has a footprint.
+    let footprints: Vec<_> = avatars.iter().filter_map(|own| own.footprint).collect();
+    arrange(&footprints, input.camera.size)
+}
+
+/// [`Layer::pixels_a_gaussian`]; infinite if all avatars in view cross the near plane.
 fn pixels_a_gaussian(instances: &[AvatarInstance]) -> f64 {
     instances
         .iter()
@@ -542,7 +596,7 @@ fn pixels_a_gaussian(instances: &[AvatarInstance]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// A range of depths around all avatars in view, metres; any valid range where there are none.
+/// A range of depths around all avatars in view, metres; an arbitrary valid range without avatars.
 fn depth_range(instances: &[AvatarInstance], camera: &Camera) -> [f64; 2] {
     instances
         .iter()

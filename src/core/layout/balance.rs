@@ -7,7 +7,7 @@
 //! reach least are enlarged by a power of two, and the neurons that compute their features are
 //! reduced by it.
 
-use crate::avatar::{Avatar, Layer, Matrix};
+use crate::avatar::{Avatar, Matrix, NetworkLayer};
 use half::f16;
 
 /// Powers of two that a function is enlarged by at most: more makes nothing better, since a node
@@ -18,7 +18,7 @@ const MOST: f64 = 5.0;
 pub struct Balance<'a> {
     avatar: &'a Avatar,
     /// The layer that computes features.
-    last: &'a Layer,
+    last: &'a NetworkLayer,
     /// Shape N_G, N_B.
     factors: Vec<f64>,
 }
@@ -62,7 +62,7 @@ impl<'a> Balance<'a> {
 
     /// The last layer of the avatar's networks, with the nodes' features reduced. A weight or bias
     /// that comes under 6e-5 is off by up to 3e-8.
-    pub fn last_layer(&self) -> Layer {
+    pub fn last_layer(&self) -> NetworkLayer {
         let basis = self.avatar.basis_len();
         let start = self.avatar.node_feature_start();
         let mut layer = self.last.clone();

@@ -3,7 +3,7 @@
 use super::{BINNING_BLOCK, BINNING_RUNS, TILE_LEVELS};
 
 /// How images are cut into tiles.
-pub const TILING: Tiling = Tiling {
+pub const TILING: TileGrid = TileGrid {
     tiles_per_side: 128,
     min_tile: 16,
     blocks_per_splat: 1,
@@ -11,7 +11,7 @@ pub const TILING: Tiling = Tiling {
 
 /// A way to cut images into tiles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Tiling {
+pub struct TileGrid {
     /// Maximum number of tiles along each side of an image; a power of two.
     pub tiles_per_side: u32,
     /// Side of the smallest tile, px.
@@ -23,7 +23,7 @@ pub struct Tiling {
 /// Shared list blocks that are worth waiting for other lists: half a megabyte.
 const BLOCKS_WORTH: u32 = 1 << 14;
 
-impl Tiling {
+impl TileGrid {
     /// Side of a tile in an image of a size, px: the smallest power of two with which
     /// [`Self::tiles_per_side`] is not exceeded.
     pub fn tile(self, size: [u32; 2]) -> u32 {

@@ -228,7 +228,7 @@ pub fn stored_node_weights(avatar: &Avatar, gaussian: usize) -> [f64; 3] {
 /// The numbers of a Gaussian that an [`Avatar`] can't hold as the GPU's model does, since its own
 /// are f16 or computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Neutral {
+pub struct NeutralGaussian {
     /// Weights of its three nodes.
     pub node_weights: [f64; 3],
     /// q₀, w x y z.
@@ -237,7 +237,7 @@ pub struct Neutral {
     pub color: [f64; 3],
 }
 
-impl Neutral {
+impl NeutralGaussian {
     /// The numbers of the avatar itself.
     pub fn exact(avatar: &Avatar, gaussian: usize) -> Self {
         Self {
@@ -307,7 +307,7 @@ pub fn row_scale(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Avatar {
-    /// This avatar with the rounding of the GPU's model, except what [`Neutral::stored`] gives:
+    /// This avatar with the rounding of the GPU's model, except what [`NeutralGaussian::stored`] gives:
     /// here f16 rounds it once more.
     pub fn compact(&self) -> Self {
         let mut compact = self.clone().balanced();

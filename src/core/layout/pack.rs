@@ -4,7 +4,7 @@
 use super::compact::{self, CodedRow, LogScales, NodeBits};
 use super::{BLOCK_PAIRS, Balance, FrameBlock, GAUSSIAN_PAIRS, LayerLayout};
 use crate::{
-    avatar::{Activation, Avatar, Layer, Rows, limits, matrix},
+    avatar::{Activation, Avatar, NetworkLayer, Rows, limits, matrix},
     constants::LEAKY_SLOPE,
     each,
 };
@@ -96,7 +96,7 @@ pub fn networks(avatar: &Avatar, constants: &FrameBlock) -> Vec<u32> {
     let words = network_words(avatar, constants.network_quads);
     let bytes = avatar.networks.in_bytes();
     let balanced = Balance::new(avatar).map(|balance| balance.last_layer());
-    let mut layers: Vec<&Layer> = avatar.networks.layers.iter().collect();
+    let mut layers: Vec<&NetworkLayer> = avatar.networks.layers.iter().collect();
     if let (Some(balanced), Some(last)) = (&balanced, layers.last_mut()) {
         *last = balanced;
     }
@@ -109,7 +109,13 @@ pub fn networks(avatar: &Avatar, constants: &FrameBlock) -> Vec<u32> {
     data
 }
 
-fn network_layer(layer: &Layer, place: &LayerLayout, part: usize, block: &mut [u32], bytes: bool) {
+fn network_layer(
+    layer: &NetworkLayer,
+    place: &LayerLayout,
+    part: usize,
+    block: &mut [u32],
+    bytes: bool,
+) {
     let weights = place.weight as usize;
     let biases = place.bias as usize;
     for neuron in 0..layer.output {

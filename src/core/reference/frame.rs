@@ -9,7 +9,7 @@ use super::{
     sort::Sorting,
 };
 use crate::avatar::{Avatar, Filter, LowPass};
-use crate::layout::compact::Neutral;
+use crate::layout::compact::NeutralGaussian;
 use crate::scene::{Camera, FrameImage, PixelRect, Posed, detail::COARSEST};
 use glam::{DVec2, DVec3, UVec2};
 use half::f16;
@@ -93,7 +93,7 @@ pub fn stored(avatar: &Avatar, posed: &Posed) -> (Avatar, Vec<f64>, Vec<Gaussian
         .map(|node| DVec3::from(node.to_array().map(half)))
         .collect();
     let gaussians = project::gaussians_from(&stored, posed, &features, &nodes, |k| {
-        Neutral::stored(avatar, k)
+        NeutralGaussian::stored(avatar, k)
     });
     (stored, features, gaussians)
 }

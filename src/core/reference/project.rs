@@ -7,7 +7,7 @@ use super::nodes::displacement;
 use crate::avatar::{Avatar, LowPass};
 use crate::constants;
 use crate::each;
-use crate::layout::compact::Neutral;
+use crate::layout::compact::NeutralGaussian;
 use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
 use glam::{DAffine3, DMat2, DMat3, DQuat, DVec2, DVec3};
 
@@ -75,7 +75,7 @@ pub fn gaussians(
     nodes: &[DVec3],
 ) -> Vec<Gaussian> {
     gaussians_from(avatar, posed, features, nodes, |k| {
-        Neutral::exact(avatar, k)
+        NeutralGaussian::exact(avatar, k)
     })
 }
 
@@ -85,7 +85,7 @@ pub fn gaussians_from(
     posed: &Posed,
     features: &[f64],
     nodes: &[DVec3],
-    stored: impl Fn(usize) -> Neutral + Sync,
+    stored: impl Fn(usize) -> NeutralGaussian + Sync,
 ) -> Vec<Gaussian> {
     let neutral = &avatar.gaussians;
     each::map(neutral.len(), |k| {

@@ -110,7 +110,7 @@ pub fn raster_backward(
     gradient: &[[f64; 4]],
 ) -> Vec<SplatGradient> {
     /// What has been seen of a pixel so far.
-    struct Seen {
+    struct BlendedPixel {
         transmittance: f64,
         sum: f64,
     }
@@ -124,8 +124,8 @@ pub fn raster_backward(
         .collect();
     let of_band = |band: &Band| {
         let first = band.rows.start * band.width;
-        let mut seen: Vec<Seen> = Vec::new();
-        seen.resize_with(band.pixels(), || Seen {
+        let mut seen: Vec<BlendedPixel> = Vec::new();
+        seen.resize_with(band.pixels(), || BlendedPixel {
             transmittance: 1.0,
             sum: 0.0,
         });

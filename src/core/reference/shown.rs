@@ -5,7 +5,7 @@ use super::project::{Gaussian, project_within};
 use super::{raster::raster, sort::order};
 use crate::avatar::{Avatar, Filter, LowPass};
 use crate::each;
-use crate::frame::atlas::{LevelInput, Seen, Slot, arrange};
+use crate::frame::atlas::{AtlasSlot, AvatarFootprint, LevelInput, arrange};
 use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling, supersampling};
 use glam::UVec2;
 
@@ -33,7 +33,7 @@ pub fn render_shown(
     for &posed in poses {
         let visible = bounds.visible(&posed.joints, camera);
         if !visible.parts.is_empty() {
-            seen.push(Seen::new(
+            seen.push(AvatarFootprint::new(
                 &bounds,
                 &visible,
                 LevelInput {
@@ -79,10 +79,10 @@ pub fn render_shown(
 pub fn slot_image(
     gaussians: &[Gaussian],
     camera: &Camera,
-    slot: &Slot,
+    slot: &AtlasSlot,
     low_pass: LowPass,
 ) -> FrameImage {
-    let alone = Slot {
+    let alone = AtlasSlot {
         at: UVec2::ZERO,
         ..*slot
     };

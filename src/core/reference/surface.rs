@@ -72,7 +72,7 @@ pub fn carry(from: &SurfaceView, to: &SurfaceView, rect: PixelRect, samples: u32
     let pixels: Vec<Vec<Carried>> = each::map(bands.len(), |at| {
         let band = &bands[at];
         let mut light = vec![1.0; band.pixels()];
-        let mut sums = vec![Sum::default(); band.pixels() / (samples * samples)];
+        let mut sums = vec![CarriedSums::default(); band.pixels() / (samples * samples)];
         for surfel in &surfels {
             surfel.ellipse.each_pixel(band, |at, place, alpha| {
                 let weight = alpha * light[at];
@@ -87,7 +87,7 @@ pub fn carry(from: &SurfaceView, to: &SurfaceView, rect: PixelRect, samples: u32
             });
         }
         let first = band.rows.start / samples;
-        let carried = |(at, sum): (usize, &Sum)| {
+        let carried = |(at, sum): (usize, &CarriedSums)| {
             let pixel = DVec2::new((at % width) as f64, (first + at / width) as f64);
             sum.carried(pixel + 0.5 + rect.min.as_dvec2(), scale * scale)
         };
@@ -142,7 +142,7 @@ fn moved(from: DMat3, to: DMat3) -> DMat3 {
 
 /// The sums that a [`Carried`] is computed from.
 #[derive(Clone, Copy, Default)]
-struct Sum {
+struct CarriedSums {
     weight: f64,
     /// Weight of what is not before the other camera.
     lost: f64,
@@ -154,7 +154,7 @@ struct Sum {
     square: f64,
 }
 
-impl Sum {
+impl CarriedSums {
     /// Adds what a surfel shows at a place. `here`: the place in the frame's image, px; `place`:
     /// the same in the image of `camera`.
     fn add(

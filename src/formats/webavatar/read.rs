@@ -14,8 +14,8 @@ use crate::{
 };
 use effigy_core::{
     avatar::{
-        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Layer, Matrix, Networks, Nodes,
-        Parts, Rows, limits,
+        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Matrix, NetworkLayer, Networks,
+        Nodes, Parts, Rows, limits,
     },
     io::file::FormatError,
 };
@@ -269,7 +269,7 @@ fn read_networks(file: &mut Npz, activation: Activation) -> Result<ReadNetworks,
         let parts = *parts.get_or_insert(found);
         weight.expect_shape(&[output, parts, input])?;
         bias.expect_shape(&[output, parts])?;
-        layers.push(Layer {
+        layers.push(NetworkLayer {
             input,
             output,
             weight: by_part(&weight.halves()?, output, parts, input).into(),

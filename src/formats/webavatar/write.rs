@@ -6,7 +6,7 @@ use crate::{
     smpl_joints::{BODY, SMPL_X},
 };
 use effigy_core::{
-    avatar::{Activation, Avatar, Layer, Matrix, ShCoefficients},
+    avatar::{Activation, Avatar, Matrix, NetworkLayer, ShCoefficients},
     io::file::FormatError,
 };
 use half::f16;
@@ -214,7 +214,7 @@ fn write(avatar: &Avatar, joints: &Joints) -> Result<Vec<u8>, zip::result::ZipEr
 
 /// The layers with an input of 73 numbers, and features of their own for nodes, as the viewer
 /// reads them.
-fn layers(avatar: &Avatar) -> Vec<Layer> {
+fn layers(avatar: &Avatar) -> Vec<NetworkLayer> {
     let mut layers = avatar.networks.layers.clone();
     let parts = avatar.parts.len();
     if let Some(first) = layers.first_mut() {

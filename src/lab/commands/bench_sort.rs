@@ -225,7 +225,7 @@ fn measure_all(
                 return Ok(());
             }
             let begun = Instant::now();
-            let sorted = Keys {
+            let sorted = SortInput {
                 order: standalone::expected(&unsorted, bits),
                 keys: unsorted.clone(),
                 bits,
@@ -252,7 +252,7 @@ fn measure_all(
 }
 
 /// What is sorted.
-struct Keys {
+struct SortInput {
     keys: Vec<u32>,
     bits: KeyBits,
     /// The order that a sort must give.
@@ -260,7 +260,7 @@ struct Keys {
 }
 
 /// Checks and measures one sort; the row holds its times, or how it failed.
-fn row(gpu: &Arc<Gpu>, keys: &Keys, contender: &Contender, runs: u16) -> SortRow {
+fn row(gpu: &Arc<Gpu>, keys: &SortInput, contender: &Contender, runs: u16) -> SortRow {
     let options = SortOptions {
         subgroup: contender.subgroup,
         ..SortOptions::new(keys.bits, contender.variant)
@@ -286,7 +286,7 @@ fn row(gpu: &Arc<Gpu>, keys: &Keys, contender: &Contender, runs: u16) -> SortRow
 /// Speed of the median run of a sort that is right.
 fn measure(
     gpu: &Arc<Gpu>,
-    keys: &Keys,
+    keys: &SortInput,
     options: SortOptions,
     runs: u16,
 ) -> anyhow::Result<SortSpeed> {

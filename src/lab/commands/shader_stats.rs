@@ -3,7 +3,7 @@
 
 use effigy::vulkan::{
     Probe,
-    statistics::{self, Executable, Value},
+    statistics::{self, Executable, StatisticValue},
 };
 use effigy_cli::{
     options::DeviceArgs,
@@ -142,10 +142,13 @@ fn columns(executables: &[Executable]) -> (Vec<&str>, Vec<&str>) {
             }
         }
     }
-    let is_zero = |value: &Value| {
+    let is_zero = |value: &StatisticValue| {
         matches!(
             value,
-            Value::Bool(false) | Value::Signed(0) | Value::Unsigned(0) | Value::Float(0.0)
+            StatisticValue::Bool(false)
+                | StatisticValue::Signed(0)
+                | StatisticValue::Unsigned(0)
+                | StatisticValue::Float(0.0)
         )
     };
     names.into_iter().partition(|name| {
@@ -156,7 +159,7 @@ fn columns(executables: &[Executable]) -> (Vec<&str>, Vec<&str>) {
     })
 }
 
-fn value<'a>(executable: &'a Executable, name: &str) -> Option<&'a Value> {
+fn value<'a>(executable: &'a Executable, name: &str) -> Option<&'a StatisticValue> {
     executable
         .statistics
         .iter()
@@ -164,9 +167,9 @@ fn value<'a>(executable: &'a Executable, name: &str) -> Option<&'a Value> {
         .map(|statistic| &statistic.value)
 }
 
-fn short(value: Value) -> String {
+fn short(value: StatisticValue) -> String {
     match value {
-        Value::Float(value) => format!("{value:.2}"),
+        StatisticValue::Float(value) => format!("{value:.2}"),
         value => value.to_string(),
     }
 }
@@ -221,7 +224,7 @@ mod tests {
         let statistic = |&(name, value): &(&str, u64)| Statistic {
             name: name.into(),
             description: String::new(),
-            value: Value::Unsigned(value),
+            value: StatisticValue::Unsigned(value),
         };
         Executable {
             shader: shader.into(),

@@ -6,7 +6,7 @@ use super::{
     draft::{Draft, placement},
 };
 use effigy_core::{
-    avatar::{Avatar, Bounds, Layer, Pose},
+    avatar::{Avatar, Bounds, NetworkLayer, Pose},
     random::Random,
     reference::project::Gaussian,
     scene::Camera,
@@ -104,7 +104,7 @@ fn quaternions(random: &mut Random, avatar: &mut Avatar) {
         }
     }
     // Features are then equal to the biases, which are 1, so that rows can cancel quaternions.
-    if let Some(Layer { weight, bias, .. }) = avatar.networks.layers.last_mut() {
+    if let Some(NetworkLayer { weight, bias, .. }) = avatar.networks.layers.last_mut() {
         weight.halves_mut().fill(f16::ZERO);
         bias.fill(f16::ONE);
     }

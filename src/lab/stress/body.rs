@@ -3,8 +3,8 @@
 
 use effigy_core::{
     avatar::{
-        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Pose,
-        Rows, Skeleton, Subspace,
+        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, NetworkLayer, Networks, Nodes,
+        Parts, Pose, Rows, Skeleton, Subspace,
     },
     random::Random,
 };
@@ -181,7 +181,7 @@ fn networks(random: &mut Random, sizes: &BodySizes, input: usize, output: usize)
     .concat();
     let layer = |pair: &[usize]| {
         let deviation = (2.0 / pair[0] as f64).sqrt();
-        Layer {
+        NetworkLayer {
             input: pair[0],
             output: pair[1],
             weight: (0..sizes.parts * pair[0] * pair[1])

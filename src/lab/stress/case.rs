@@ -3,7 +3,7 @@
 //! can't draw triangles.
 
 use super::{
-    adversarial, body::below, bound::Scene, category::Category, draft::Draft, small::Small,
+    adversarial, body::below, bound::BoundScene, category::Category, draft::Draft, small::Small,
 };
 use effigy::vulkan::{RendererOptions, probe::Probe, raster::RasterMethod};
 use effigy_core::{
@@ -221,8 +221,8 @@ impl StressCase {
     }
 
     /// What its image is bound by.
-    pub fn scene(&self) -> Scene<'_> {
-        Scene {
+    pub fn scene(&self) -> BoundScene<'_> {
+        BoundScene {
             avatar: &self.avatar,
             posed: &self.posed,
             camera: &self.camera,

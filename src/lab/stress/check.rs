@@ -2,7 +2,7 @@
 //! wrong with it come out.
 
 use super::{
-    bound::{BoundUse, ImageBound, Rounding, Scene},
+    bound::{BoundScene, BoundUse, ImageBound, Rounding},
     case::StressCase,
     category::Category,
     refusal,
@@ -58,7 +58,7 @@ pub fn check_case(gpu: &Arc<Gpu>, case: &StressCase) -> CaseOutcome {
 /// A case that was drawn, before its images are looked at: that needs no device.
 pub struct DrawnCase {
     time: Duration,
-    drawn: vulkan::Result<Drawn>,
+    drawn: vulkan::Result<CaseImages>,
     faults: Vec<String>,
 }
 
@@ -69,7 +69,7 @@ impl DrawnCase {
         let mut faults = vec![];
         let start = Instant::now();
         let drawn = if case.category == Category::Refused {
-            refusal::run(gpu, case, &mut faults).map(|[first, second]| Drawn {
+            refusal::run(gpu, case, &mut faults).map(|[first, second]| CaseImages {
                 first,
                 second,
                 cached: None,
@@ -125,7 +125,7 @@ impl DrawnCase {
 }
 
 /// A case's frame, drawn several times.
-struct Drawn {
+struct CaseImages {
     first: FrameImage,
     /// Drawn again after another frame.
     second: FrameImage,
@@ -135,7 +135,7 @@ struct Drawn {
 
 /// The case's frame drawn twice, with another one between, so that the second can't reuse anything
 /// of the first; then once more after one that only the camera differs in.
-fn draw(gpu: &Arc<Gpu>, case: &StressCase) -> vulkan::Result<Drawn> {
+fn draw(gpu: &Arc<Gpu>, case: &StressCase) -> vulkan::Result<CaseImages> {
     let mut renderer = Renderer::new(gpu, &case.avatar, case.options)?;
     renderer.draw(&case.posed, &case.camera, None)?;
     let first = renderer.read_image()?;
@@ -149,7 +149,7 @@ fn draw(gpu: &Arc<Gpu>, case: &StressCase) -> vulkan::Result<Drawn> {
     } else {
         None
     };
-    Ok(Drawn {
+    Ok(CaseImages {
         first,
         second,
         cached,
@@ -180,8 +180,8 @@ impl CaseOutcome {
             .reduce(f64::max)
     }
 
-    fn check_images(&mut self, gpu: &Gpu, case: &StressCase, drawn: Drawn) {
-        let Drawn {
+    fn check_images(&mut self, gpu: &Gpu, case: &StressCase, drawn: CaseImages) {
+        let CaseImages {
             first,
             second,
             cached,
@@ -201,7 +201,7 @@ impl CaseOutcome {
         if let Some(cached) = &cached {
             self.faults.extend(range_faults(cached));
             let camera = other_camera(case);
-            let scene = Scene {
+            let scene = BoundScene {
                 cached_by: Some(&camera),
                 ..case.scene()
             };

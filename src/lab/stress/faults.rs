@@ -19,7 +19,7 @@ const SEED: u64 = 5;
 const SIZE: [u32; 2] = [128, 128];
 
 /// A frame of the reference, in pieces that a fault can be put into.
-struct Frame {
+struct FaultyFrame {
     case: StressCase,
     splats: Vec<Result<Splat, Culled>>,
     order: Vec<u32>,
@@ -27,13 +27,13 @@ struct Frame {
 
 /// How a case is drawn.
 #[derive(Clone, Copy, Debug)]
-struct Drawing {
+struct DrawSettings {
     rasterizer: Rasterizer,
     exact: bool,
     skip: Skip,
 }
 
-impl Drawing {
+impl DrawSettings {
     /// How many of so many faults its bound must see: all, but one where what shows by less than a
     /// twentieth is left out: by the saturation depth, and by tiles with 8 bits, which fill
     /// saturated pixels.
@@ -50,7 +50,7 @@ impl Drawing {
 /// Splats that most of the image depends on: it must be one of these that a fault changes.
 const CANDIDATES: usize = 8;
 
-impl Frame {
+impl FaultyFrame {
     /// The first case of a category with at most so many Gaussians, from nearby.
     fn new(category: Category, gaussians: usize) -> Self {
         let mut case = (0..100 * Category::ROUND)
@@ -81,7 +81,7 @@ impl Frame {
     }
 
     /// The bound of the case as it is drawn.
-    fn bound(&self, drawing: Drawing) -> ImageBound {
+    fn bound(&self, drawing: DrawSettings) -> ImageBound {
         let mut options = self.case.options;
         options.skip = drawing.skip;
         options.exact = drawing.exact;
@@ -133,21 +133,21 @@ impl Frame {
 }
 
 /// The drawings whose bounds must see every fault: each rasterizer, and tiles in either format.
-fn drawings() -> Vec<Drawing> {
-    let mut all: Vec<Drawing> = Rasterizer::ALL
+fn drawings() -> Vec<DrawSettings> {
+    let mut all: Vec<DrawSettings> = Rasterizer::ALL
         .into_iter()
-        .map(|rasterizer| Drawing {
+        .map(|rasterizer| DrawSettings {
             rasterizer,
             exact: true,
             skip: Skip::all(),
         })
         .collect();
     let tiles = all[2];
-    all.push(Drawing {
+    all.push(DrawSettings {
         exact: false,
         ..tiles
     });
-    all.push(Drawing {
+    all.push(DrawSettings {
         skip: Skip::empty(),
         ..tiles
     });
@@ -155,7 +155,7 @@ fn drawings() -> Vec<Drawing> {
 }
 
 /// Images with a fault each, and what it is.
-fn faults(frame: &Frame) -> Vec<(&'static str, Vec<FrameImage>)> {
+fn faults(frame: &FaultyFrame) -> Vec<(&'static str, Vec<FrameImage>)> {
     let strongest = frame.strongest();
     let each = |change: fn(&mut Splat)| -> Vec<FrameImage> {
         strongest
@@ -200,7 +200,7 @@ fn faults(frame: &Frame) -> Vec<(&'static str, Vec<FrameImage>)> {
 }
 
 /// The image without 16 × 16 px around the strongest splat.
-fn without_a_tile(frame: &Frame) -> FrameImage {
+fn without_a_tile(frame: &FaultyFrame) -> FrameImage {
     let mut image = frame.image();
     let at = frame.strongest()[0];
     let center = frame.splats[at].as_ref().expect("it is drawn").center;
@@ -214,7 +214,7 @@ fn without_a_tile(frame: &Frame) -> FrameImage {
     image
 }
 
-fn assert_sees_every_fault(frame: &Frame) {
+fn assert_sees_every_fault(frame: &FaultyFrame) {
     let image = frame.image();
     let faults = faults(frame);
     for drawing in drawings() {
@@ -236,19 +236,19 @@ fn assert_sees_every_fault(frame: &Frame) {
 
 #[test]
 fn faults_in_a_cloud_are_seen() {
-    assert_sees_every_fault(&Frame::new(Category::Refused, 400));
+    assert_sees_every_fault(&FaultyFrame::new(Category::Refused, 400));
 }
 
 #[test]
 fn faults_in_a_closed_body_are_seen() {
-    assert_sees_every_fault(&Frame::new(Category::Solid, usize::MAX));
+    assert_sees_every_fault(&FaultyFrame::new(Category::Solid, usize::MAX));
 }
 
 /// The bound's own blending is the reference's.
 #[test]
 fn the_reference_is_at_the_middle_of_its_bound() {
     for number in 0..2 * Category::ROUND {
-        let frame = Frame::of_case(StressCase::new(SEED, number, false));
+        let frame = FaultyFrame::of_case(StressCase::new(SEED, number, false));
         let options = frame.case.options;
         let bound = ImageBound::new(&frame.case.scene(), &Rounding::of_options(&options));
         let own = bound.reference();

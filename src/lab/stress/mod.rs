@@ -24,7 +24,7 @@ mod report;
 mod run;
 mod small;
 
-pub use bound::{BoundUse, ImageBound, Rounding, Scene};
+pub use bound::{BoundScene, BoundUse, ImageBound, Rounding};
 pub use case::{Rasterizer, StressCase};
 pub use category::Category;
 pub use check::{CaseOutcome, check_case};

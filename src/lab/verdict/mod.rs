@@ -12,7 +12,7 @@ mod test_results;
 mod traffic;
 
 pub use named_bench::NamedBench;
-pub use steps::{Step, StepOutcome};
+pub use steps::{StepOutcome, VerdictStep};
 pub use test_results::{NotRun, TestResults};
 pub use traffic::StageTraffic;
 
@@ -41,7 +41,7 @@ pub struct Verdict {
     /// The machine in the words of its own commands.
     pub machine: String,
     /// Every step that was planned.
-    pub steps: Vec<Step>,
+    pub steps: Vec<VerdictStep>,
     /// The tests on the device. Null if they were not begun.
     pub tests: Option<TestResults>,
     /// What `effigy devices --json` says, as it is: the device's features, and what the renderer
@@ -67,7 +67,7 @@ impl Verdict {
     /// # Errors
     /// When the folder can't be read, or has no plan of steps.
     pub fn read(folder: &Path, command: Vec<String>) -> io::Result<Self> {
-        let mut files = Files {
+        let mut files = ResultFolder {
             folder,
             unread: Vec::new(),
         };
@@ -154,12 +154,12 @@ fn bench_files(folder: &Path) -> io::Result<Vec<String>> {
 }
 
 /// The files of a folder, each of which may be missing.
-struct Files<'a> {
+struct ResultFolder<'a> {
     folder: &'a Path,
     unread: Vec<String>,
 }
 
-impl Files<'_> {
+impl ResultFolder<'_> {
     fn text(&mut self, name: &str) -> Option<String> {
         match fs::read_to_string(self.folder.join(name)) {
             Ok(text) => Some(text),

@@ -30,7 +30,7 @@ impl StepOutcome {
 
 /// One step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Step {
+pub struct VerdictStep {
     /// Its name, also that of its log.
     pub name: String,
     /// How it ended.
@@ -45,12 +45,12 @@ pub struct Step {
 
 /// The steps of a plan, a name a line, with what became of each. A step without a line in `table`
 /// did not run, nor did one whose line can't be read.
-pub fn steps(plan: &str, table: &str) -> Vec<Step> {
-    let recorded: Vec<Step> = table.lines().filter_map(step).collect();
+pub fn steps(plan: &str, table: &str) -> Vec<VerdictStep> {
+    let recorded: Vec<VerdictStep> = table.lines().filter_map(step).collect();
     let names = plan.lines().map(str::trim).filter(|name| !name.is_empty());
     let planned = names.map(|name| {
         let own = recorded.iter().find(|step| step.name == name);
-        own.cloned().unwrap_or_else(|| Step {
+        own.cloned().unwrap_or_else(|| VerdictStep {
             name: name.to_owned(),
             outcome: StepOutcome::NotRun,
             seconds: 0.0,
@@ -62,10 +62,10 @@ pub fn steps(plan: &str, table: &str) -> Vec<Step> {
 }
 
 /// A line: name, outcome, seconds, limit, note; tabs between them.
-fn step(line: &str) -> Option<Step> {
+fn step(line: &str) -> Option<VerdictStep> {
     let mut cells = line.split('\t');
     let mut cell = || cells.next().map(str::trim);
-    Some(Step {
+    Some(VerdictStep {
         name: cell()?.to_owned(),
         outcome: match cell()? {
             "passed" => StepOutcome::Passed,

@@ -6,7 +6,7 @@
 //! parts the nodes' first features are the expression itself, carried through the hidden layers by
 //! pairs of neurons: leaky(x) − leaky(−x) = 1.01 x.
 
-use effigy_core::avatar::{Activation, Layer, Networks};
+use effigy_core::avatar::{Activation, NetworkLayer, Networks};
 use effigy_core::constants::LEAKY_SLOPE;
 use effigy_core::random::Random;
 use effigy_math::noise::noise;
@@ -92,7 +92,7 @@ pub fn random_networks(plan: &NetworkPlan) -> RandomNetworks {
     let layer = |l: usize| {
         let own = || parts.iter().map(|part| &part.layers[l]);
         let half = |&number: &f64| f16::from_f64(number);
-        Layer {
+        NetworkLayer {
             input: sizes[l].input,
             output: sizes[l].output,
             weight: own()

@@ -4,7 +4,7 @@ use crate::distil::inputs::NetworkInputs;
 use crate::distil::network::{
     LAYERS, LayerWidths, QuadraticLoss, Scratch, StepSize, StudentNetwork, WIDTH, layer_start,
 };
-use effigy_core::avatar::{Activation, Avatar, Layer, Networks};
+use effigy_core::avatar::{Activation, Avatar, NetworkLayer, Networks};
 use effigy_core::random::{Random, hash};
 use effigy_math::covariance::RunningCovariance;
 use half::f16;
@@ -134,7 +134,7 @@ impl Learner {
             let biases = folded
                 .iter()
                 .flat_map(|all| all[start + input * output..][..output].iter().copied());
-            Layer {
+            NetworkLayer {
                 input,
                 output,
                 weight: weights.collect(),

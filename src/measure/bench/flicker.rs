@@ -19,7 +19,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::{FrameState, PlanInput, RendererOptions, room::Room},
+    frame::{FrameState, PlanInput, RendererOptions, capacity::Capacity},
     reference::{self, Gaussian, Sorting, SurfaceView},
     scene::{AvatarBounds, PartDependencies, PixelRect},
 };
@@ -268,7 +268,7 @@ fn shown(
             bounds,
             dependencies: &dependencies,
             options,
-            room: Room::unlimited(poses.len()),
+            capacity: Capacity::unlimited(poses.len()),
             always_submit: false,
         });
         Shown {

@@ -17,7 +17,7 @@ use effigy_core::{
     reference,
     scene::{AvatarBounds, FrameImage, Supersampling},
 };
-use effigy_runtime::trace::Trace;
+use effigy_runtime::trace::TraceRecorder;
 use std::collections::{BTreeMap, HashMap};
 
 /// Measures a case. The frames that are timed are added to `trace`.
@@ -29,7 +29,7 @@ pub fn measure_case(
     task: &BenchTask,
     setting: &RenderSetting,
     case: BenchCase,
-    trace: Option<&mut Trace>,
+    trace: Option<&mut TraceRecorder>,
     progress: Progress,
 ) -> Result<CaseReport> {
     let setting = &setting.for_case(case);

@@ -266,7 +266,7 @@ pub struct Second {
     pub late: u32,
     /// Refreshes without a new frame.
     pub dropped: u32,
-    /// This and the next four: see [`Reading`](effigy_runtime::thermals::Reading).
+    /// This and the next four: see [`ThermalReading`](effigy_runtime::thermals::ThermalReading).
     pub headroom: Option<f64>,
     /// Temperature of the warmest sensor, °C.
     pub celsius: Option<f64>,

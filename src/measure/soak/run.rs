@@ -18,7 +18,7 @@ use effigy_core::{
     reference,
     scene::FrameImage,
 };
-use effigy_runtime::{thermals::Thermals, trace::Trace};
+use effigy_runtime::{thermals::Thermals, trace::TraceRecorder};
 use std::{
     sync::{
         Arc,
@@ -95,7 +95,7 @@ pub fn run(
     gpu: &Arc<Gpu>,
     task: &SoakTask,
     thermals: &mut Thermals,
-    trace: Option<&mut Trace>,
+    trace: Option<&mut TraceRecorder>,
     stop: &AtomicBool,
     tick: &mut dyn FnMut(&Session),
 ) -> Result<SoakReport> {
@@ -133,7 +133,7 @@ struct Run<'a, 'b> {
     renderer: &'a mut SoakRenderer<'b>,
     session: &'a mut Session,
     thermals: &'a mut Thermals,
-    trace: Option<&'a mut Trace>,
+    trace: Option<&'a mut TraceRecorder>,
     start: Instant,
 }
 

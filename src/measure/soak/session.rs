@@ -6,7 +6,7 @@ use effigy::vulkan::PixelCounts;
 use effigy_core::frame::Counters;
 use effigy_runtime::{
     governor::{FrameQuality, Governor, Rung, Sample},
-    thermals::Reading,
+    thermals::ThermalReading,
 };
 
 /// Rates that differ by a smaller share count as equal.
@@ -272,7 +272,7 @@ impl Session {
     /// memory, and resident memory of the process.
     pub fn close_second(
         &mut self,
-        reading: &Reading,
+        reading: &ThermalReading,
         device_bytes: u64,
         resident_bytes: Option<u64>,
     ) -> &Second {
@@ -343,7 +343,7 @@ mod tests {
         let mut at = 5.0;
         while !session.is_over() {
             if session.add_frame(at, Some(busy)).full {
-                session.close_second(&Reading::default(), 1, Some(2));
+                session.close_second(&ThermalReading::default(), 1, Some(2));
             }
             at += interval;
         }
@@ -410,7 +410,7 @@ mod tests {
                         );
                     }
                     if session.add_frame(f64::from(frame) / 60.0, busy).full {
-                        session.close_second(&Reading::default(), 0, None);
+                        session.close_second(&ThermalReading::default(), 0, None);
                     }
                 }
                 session
@@ -445,7 +445,7 @@ mod tests {
         }
         session.skip_idle(1000.0);
         let full = (0..60).any(|k| session.add_frame(1000.0 + 0.01 * f64::from(k), None).full);
-        let second = *session.close_second(&Reading::default(), 0, None);
+        let second = *session.close_second(&ThermalReading::default(), 0, None);
         assert!(
             full && second.dropped == 0 && (0.9..1.2).contains(&second.seconds),
             "{second:?}"

@@ -64,7 +64,7 @@ pub struct Sample {
 
 /// Frames since the last decision.
 #[derive(Clone, Copy, Debug, Default)]
-struct Window {
+struct DecisionWindow {
     began: Option<f64>,
     frames: u32,
     dropped: u32,
@@ -81,12 +81,12 @@ struct Window {
 
 /// Why to step down.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Reason {
+enum StepDownReason {
     Load,
     Heat,
 }
 
-impl Reason {
+impl StepDownReason {
     /// A step down within this time of a climb takes the climb back, seconds.
     fn taken_back_within(self) -> f64 {
         match self {
@@ -109,7 +109,7 @@ pub struct Governor {
     refresh_ms: f64,
     /// Steps down the path; 0 is full quality.
     step: usize,
-    window: Window,
+    window: DecisionWindow,
     /// Windows still to be ignored.
     ignored_windows: u32,
     heat: HeatTrend,
@@ -132,7 +132,7 @@ impl Governor {
             least_scale: 0.0,
             refresh_ms: 1e3 / rate,
             step: 0,
-            window: Window::default(),
+            window: DecisionWindow::default(),
             ignored_windows: IGNORED_WINDOWS,
             heat: HeatTrend::default(),
             calm_since: None,
@@ -204,7 +204,7 @@ impl Governor {
 
     /// Leaves out a time in which no frame was wanted.
     pub fn skip_idle(&mut self) {
-        self.window = Window::default();
+        self.window = DecisionWindow::default();
         self.calm_since = None;
     }
 
@@ -232,7 +232,7 @@ impl Governor {
     }
 
     /// Judges a full window of frames. True if the quality has changed.
-    fn decide(&mut self, window: &Window, now: f64) -> bool {
+    fn decide(&mut self, window: &DecisionWindow, now: f64) -> bool {
         let is_small = window.small_frames > 0;
         let is_sure = [0, window.known_frames].contains(&window.small_frames);
         if window.known_frames > 0 && is_sure && is_small != self.is_small {
@@ -250,7 +250,7 @@ impl Governor {
         let late_by_load = is_late && load.is_none_or(|load| load > IDLE_LOAD);
         let is_full = load.is_some_and(|load| load > FULL_LOAD);
         if late_by_load || is_full {
-            return self.step_down(self.rungs_down(load), Reason::Load, now);
+            return self.step_down(self.rungs_down(load), StepDownReason::Load, now);
         }
 
         let headroom = self.heat.current(now);
@@ -259,7 +259,7 @@ impl Governor {
         let is_hot = headroom.is_some_and(|headroom| headroom >= 1.0) && slope >= 0.0;
         let gets_hot = forecast.is_some_and(|forecast| forecast >= HOT) && slope > 0.0;
         if (is_hot || gets_hot) && now - self.changed_at >= HEAT_DWELL {
-            return self.step_down(1, Reason::Heat, now);
+            return self.step_down(1, StepDownReason::Heat, now);
         }
 
         if self
@@ -302,7 +302,7 @@ impl Governor {
         load.is_some_and(|load| load * above / current <= MAX_LOAD_AFTER_CLIMB)
     }
 
-    fn step_down(&mut self, rungs: usize, reason: Reason, now: f64) -> bool {
+    fn step_down(&mut self, rungs: usize, reason: StepDownReason, now: f64) -> bool {
         self.calm_since = None;
         let target = (self.step + rungs).min(self.path().len() - 1);
         if target == self.step {

@@ -8,7 +8,7 @@ mod simulated;
 mod system;
 
 pub use model::{Phone, PhoneModel};
-pub use reading::Reading;
+pub use reading::ThermalReading;
 pub use recorded::Recorded;
 pub use simulated::Simulated;
 pub use system::System;
@@ -25,13 +25,13 @@ pub enum Thermals {
 
 impl Thermals {
     /// The readings at a time on a monotonic clock, seconds.
-    pub fn read(&mut self, seconds: f64) -> Reading {
+    pub fn read(&mut self, seconds: f64) -> ThermalReading {
         match self {
             Self::System(system) => system.read(),
             Self::Simulated(simulated) => simulated.read(),
-            Self::Recorded(recorded) => Reading {
+            Self::Recorded(recorded) => ThermalReading {
                 headroom: recorded.at(seconds),
-                ..Reading::default()
+                ..ThermalReading::default()
             },
         }
     }

@@ -2,7 +2,7 @@
 
 /// Readings at one time. None where the system has no such sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reading {
+pub struct ThermalReading {
     /// Thermal headroom used up: 0 is cool, at 1 the system lowers the clock much, as Android's
     /// `AThermal` defines it.
     pub headroom: Option<f64>,

@@ -6,7 +6,7 @@
 
 use super::{
     model::{Phone, PhoneModel},
-    reading::Reading,
+    reading::ThermalReading,
 };
 use std::{collections::VecDeque, time::Duration};
 
@@ -61,12 +61,12 @@ impl Simulated {
     }
 
     /// The phone's readings now.
-    pub fn read(&self) -> Reading {
-        Reading {
+    pub fn read(&self) -> ThermalReading {
+        ThermalReading {
             headroom: Some(self.model.headroom()),
             celsius: Some(self.model.temperature()),
             clock: Some(self.model.clock()),
-            ..Reading::default()
+            ..ThermalReading::default()
         }
     }
 

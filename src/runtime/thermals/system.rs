@@ -1,7 +1,7 @@
 //! The system's own readings: sensors, clocks and the battery from `/sys`, where they exist and may
 //! be read; on Android headroom too.
 
-use super::reading::Reading;
+use super::reading::ThermalReading;
 use crate::ndk::Thermal;
 use std::{
     fs,
@@ -56,7 +56,7 @@ impl System {
     }
 
     /// The readings now.
-    pub fn read(&mut self) -> Reading {
+    pub fn read(&mut self) -> ThermalReading {
         // Sensors that are switched off read 0 or less.
         let celsius = self
             .sensors
@@ -78,7 +78,7 @@ impl System {
         let watts = battery("current_now")
             .zip(battery("voltage_now"))
             .map(|(current, voltage)| (current * voltage).abs() * 1e-12);
-        Reading {
+        ThermalReading {
             headroom: self
                 .thermal
                 .as_ref()
@@ -121,7 +121,10 @@ mod tests {
     #[test]
     fn existing_sensors_are_read_and_missing_ones_are_none() -> std::io::Result<()> {
         let root = tempfile::tempdir()?;
-        assert_eq!(System::at(root.path(), None).read(), Reading::default());
+        assert_eq!(
+            System::at(root.path(), None).read(),
+            ThermalReading::default()
+        );
         let files = [
             ("class/thermal/thermal_zone0/temp", "41500\n"),
             ("class/thermal/thermal_zone1/temp", "-274000\n"),

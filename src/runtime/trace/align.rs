@@ -1,6 +1,6 @@
 //! The device's clock on the host's time: moments read on both clocks go in, a mapping comes out.
 
-use effigy::vulkan::Moment;
+use effigy::vulkan::ClockMoment;
 use std::time::Instant;
 
 /// Moments closer together than this are too close to measure the clocks' relative rate, ns.
@@ -30,7 +30,7 @@ impl Clock {
 
 /// Maps a device's timestamps to nanoseconds since the trace's start.
 #[derive(Clone, Copy, Debug)]
-pub struct Alignment {
+pub struct ClockAlignment {
     clock: Clock,
     /// A timestamp, and the same moment in ns since the trace's start.
     tick: u64,
@@ -43,9 +43,9 @@ pub struct Alignment {
     pub calibrated: bool,
 }
 
-impl Alignment {
+impl ClockAlignment {
     /// Aligns by moments read near the start and the end of a trace. The trace starts at `start`.
-    pub fn new(clock: Clock, start: Instant, first: Moment, last: Moment) -> Self {
+    pub fn new(clock: Clock, start: Instant, first: ClockMoment, last: ClockMoment) -> Self {
         let first_ns = nanoseconds_since(start, first.host);
         let distance = nanoseconds_since(start, last.host) - first_ns;
         let ticks = clock.ticks_between(first.tick, last.tick);
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn moments_give_offset_and_rate_over_a_wrap() {
         let start = Instant::now();
-        let moment = |ns: u64, tick: u64| Moment {
+        let moment = |ns: u64, tick: u64| ClockMoment {
             host: start + Duration::from_nanos(ns),
             tick: tick & CLOCK.mask,
             within: Duration::from_nanos(300),
@@ -99,7 +99,7 @@ mod tests {
         };
         // The clock is 1 part in 10,000 slow, and wraps in between.
         let first = (1u64 << 36) - 50_000_000;
-        let alignment = Alignment::new(
+        let alignment = ClockAlignment::new(
             CLOCK,
             start,
             moment(1000, first),

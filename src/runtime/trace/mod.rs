@@ -8,8 +8,8 @@
 pub mod align;
 mod event;
 
-use align::{Alignment, Clock, nanoseconds_since};
-use effigy::vulkan::{Gpu, Moment};
+use align::{Clock, ClockAlignment, nanoseconds_since};
+use effigy::vulkan::{ClockMoment, Gpu};
 use effigy_core::{
     frame::report::{FrameReport, HostTimes},
     io::file::write_whole,
@@ -38,16 +38,16 @@ struct CounterValue {
 }
 
 /// A trace in progress.
-pub struct Trace {
+pub struct TraceRecorder {
     start: Instant,
-    first_moment: Option<Moment>,
+    first_moment: Option<ClockMoment>,
     frames: VecDeque<TracedFrame>,
     /// All frames that were added, including those dropped since.
     frame_count: u64,
     counters: VecDeque<CounterValue>,
 }
 
-impl Trace {
+impl TraceRecorder {
     /// Starts a trace of a device now.
     pub fn new(gpu: &Gpu) -> Self {
         Self {
@@ -99,7 +99,8 @@ impl Trace {
             period: f64::from(probe.limits.timestamp_period),
         };
         let moments = self.first_moment.zip(gpu.moment());
-        let alignment = moments.map(|(first, last)| Alignment::new(clock, self.start, first, last));
+        let alignment =
+            moments.map(|(first, last)| ClockAlignment::new(clock, self.start, first, last));
         let mut events = Vec::from(event::track_names(&probe.name));
         for frame in &self.frames {
             self.add_host_events(frame, &mut events);
@@ -175,7 +176,7 @@ impl Trace {
 /// since the trace's start. Adds nothing for a frame without stages.
 fn add_device_events(
     frame: &TracedFrame,
-    alignment: &Alignment,
+    alignment: &ClockAlignment,
     submitted: f64,
     events: &mut Vec<TraceEvent>,
 ) {
@@ -245,13 +246,13 @@ mod tests {
             mask: u64::MAX,
             period: 1.0,
         };
-        let moment = Moment {
+        let moment = ClockMoment {
             host: now,
             tick: 0,
             within: Default::default(),
             calibrated: true,
         };
-        let alignment = Alignment::new(clock, now, moment, moment);
+        let alignment = ClockAlignment::new(clock, now, moment, moment);
         let mut events = Vec::new();
         add_device_events(&frame, &alignment, 90.0, &mut events);
         let mut slices = Vec::new();

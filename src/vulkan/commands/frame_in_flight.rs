@@ -65,7 +65,7 @@ pub struct Semaphores {
 
 /// Times of a finished frame.
 #[derive(Default)]
-struct Times {
+struct StageTimes {
     /// Milliseconds of each stage: [`FrameReport::stages`].
     stages: Vec<(&'static str, f64)>,
     /// When each stage began and ended: [`FrameReport::ticks`].
@@ -220,16 +220,16 @@ impl FrameInFlight {
     }
 
     /// The time of each stage, and when it began and ended: from one border to the next.
-    fn times(&self) -> Result<Times> {
+    fn times(&self) -> Result<StageTimes> {
         let Some(queries) = self.queries.as_ref().filter(|_| !self.marked.is_empty()) else {
-            return Ok(Times::default());
+            return Ok(StageTimes::default());
         };
         let mut borders = [0; BORDERS];
         let borders = &mut borders[..=self.marked.len()];
         queries.read(borders).during("vkGetQueryPoolResults")?;
         let mask = self.gpu.probe.tick_mask();
         let period = f64::from(self.gpu.probe.limits.timestamp_period) * 1e-6;
-        let mut times = Times::default();
+        let mut times = StageTimes::default();
         for (&name, pair) in self.marked.iter().zip(borders.windows(2)) {
             let [began, ended] = [pair[0] & mask, pair[1] & mask];
             let ms = (ended.wrapping_sub(began) & mask) as f64 * period;

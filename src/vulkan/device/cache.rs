@@ -34,13 +34,13 @@ pub(crate) fn write(path: &Path, data: &[u8]) -> io::Result<()> {
 /// it only costs time.
 pub(crate) struct PipelineCache {
     /// None where the device gave none.
-    cache: Option<Cache>,
+    cache: Option<DeviceCache>,
     path: Option<PathBuf>,
     /// Bytes that came from the file.
     loaded: usize,
 }
 
-struct Cache {
+struct DeviceCache {
     handle: PipelineCacheHandle,
     device: Arc<Device>,
 }
@@ -68,7 +68,7 @@ impl PipelineCache {
         let raw = create(device, &data)
             .or_else(|_| create(device, &[]))
             .unwrap_or_default();
-        let cache = (raw != vk::PipelineCache::null()).then(|| Cache {
+        let cache = (raw != vk::PipelineCache::null()).then(|| DeviceCache {
             // SAFETY: the cache is new, and belongs to its owner.
             handle: unsafe { PipelineCacheHandle::new(device, raw, "pipelines") },
             device: device.clone(),

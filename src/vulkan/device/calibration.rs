@@ -4,12 +4,12 @@ use super::{logical::Device, probe::Probe};
 use ash::{ext, khr, vk};
 
 /// The extension under either of its names.
-pub(crate) enum Calibration {
+pub(crate) enum CalibrationExtension {
     Khr(khr::calibrated_timestamps::Device),
     Ext(ext::calibrated_timestamps::Device),
 }
 
-impl Calibration {
+impl CalibrationExtension {
     /// Of a device that was opened with the extension. None where it can't read the device's own
     /// clock.
     pub fn new(device: &Device, probe: &Probe) -> Option<Self> {

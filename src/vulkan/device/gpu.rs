@@ -3,7 +3,7 @@
 
 use super::{
     cache::PipelineCache,
-    calibration::Calibration,
+    calibration::CalibrationExtension,
     error::{During, Error, Result},
     handle::{CommandPool, Fence},
     instance::Instance,
@@ -51,7 +51,7 @@ pub struct Gpu {
     /// Limits, features and extensions of the physical device.
     pub probe: Probe,
     /// Reads the device's and the host's clock at once. None where the driver can't.
-    pub(crate) calibration: Option<Calibration>,
+    pub(crate) calibration: Option<CalibrationExtension>,
     /// The swapchain extension's functions. None where the device was opened without a window.
     #[cfg(feature = "window")]
     pub(crate) swapchain: Option<khr::swapchain::Device>,
@@ -136,7 +136,7 @@ impl Gpu {
             cache,
             cache_folder: options.cache.clone(),
             kept_pipelines: KeptPipelines::default(),
-            calibration: Calibration::new(&device, &probe),
+            calibration: CalibrationExtension::new(&device, &probe),
             #[cfg(feature = "window")]
             swapchain,
             sorts: Sorts::default(),

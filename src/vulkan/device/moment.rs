@@ -10,7 +10,7 @@ const TRIES: usize = 16;
 
 /// A moment, as both clocks have it.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment {
+pub struct ClockMoment {
     /// The host's monotonic clock.
     pub host: Instant,
     /// The device's ticks, of which `Probe::timestamp_bits` count.
@@ -24,7 +24,7 @@ pub struct Moment {
 impl Gpu {
     /// Reads both clocks. Without calibrated timestamps the queue should be idle, or it takes as
     /// long as what is under way. None where the device has no timestamps.
-    pub fn moment(&self) -> Option<Moment> {
+    pub fn moment(&self) -> Option<ClockMoment> {
         if self.probe.timestamp_bits == 0 {
             return None;
         }
@@ -41,12 +41,16 @@ impl Gpu {
     }
 
     /// The best of some readings.
-    fn nearest(&self, calibrated: bool, mut tick: impl FnMut() -> Option<u64>) -> Option<Moment> {
+    fn nearest(
+        &self,
+        calibrated: bool,
+        mut tick: impl FnMut() -> Option<u64>,
+    ) -> Option<ClockMoment> {
         let mut read = || {
             let before = Instant::now();
             let tick = tick()?;
             let within = before.elapsed() / 2;
-            Some(Moment {
+            Some(ClockMoment {
                 host: before + within,
                 tick: tick & self.probe.tick_mask(),
                 within,
@@ -59,7 +63,7 @@ impl Gpu {
     }
 
     /// Has the device write its clock, and waits for that.
-    fn submitted(&self) -> Result<Option<Moment>> {
+    fn submitted(&self) -> Result<Option<ClockMoment>> {
         let pool = QueryPool::timestamps(&self.device, 1, "clock")?;
         let mut outcome = Ok(());
         let moment = self.nearest(false, || {

@@ -10,7 +10,7 @@ pub(super) const ATTEMPTS: u32 = 2;
 
 /// Outcome of a variant's trial.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Outcome {
+pub enum TrialOutcome {
     /// Right everywhere; the time that the trial took it, ms.
     Right(f64),
     /// The device can't run it.
@@ -21,7 +21,7 @@ pub enum Outcome {
     Unfinished,
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for TrialOutcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Right(ms) => write!(f, "{ms:.3} ms"),
@@ -37,21 +37,21 @@ impl fmt::Display for Outcome {
 
 /// A variant, and the outcome of its trial. In JSON it is a pair.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(from = "(V, Outcome)", into = "(V, Outcome)")]
+#[serde(from = "(V, TrialOutcome)", into = "(V, TrialOutcome)")]
 pub struct Tried<V: Clone> {
     /// The variant.
     pub variant: V,
     /// The outcome.
-    pub outcome: Outcome,
+    pub outcome: TrialOutcome,
 }
 
-impl<V: Clone> From<(V, Outcome)> for Tried<V> {
-    fn from((variant, outcome): (V, Outcome)) -> Self {
+impl<V: Clone> From<(V, TrialOutcome)> for Tried<V> {
+    fn from((variant, outcome): (V, TrialOutcome)) -> Self {
         Self { variant, outcome }
     }
 }
 
-impl<V: Clone> From<Tried<V>> for (V, Outcome) {
+impl<V: Clone> From<Tried<V>> for (V, TrialOutcome) {
     fn from(tried: Tried<V>) -> Self {
         (tried.variant, tried.outcome)
     }
@@ -59,7 +59,7 @@ impl<V: Clone> From<Tried<V>> for (V, Outcome) {
 
 impl<V: Copy + PartialEq> Tried<V> {
     /// The outcome of a variant among several. None where it was not tried.
-    pub fn outcome_of(tried: &[Self], variant: V) -> Option<&Outcome> {
+    pub fn outcome_of(tried: &[Self], variant: V) -> Option<&TrialOutcome> {
         let own = tried.iter().find(|tried| tried.variant == variant)?;
         Some(&own.outcome)
     }
@@ -72,7 +72,7 @@ impl<V: Copy + PartialEq> Tried<V> {
     /// Its time, ms, if it is right.
     fn ms(&self) -> Option<f64> {
         match self.outcome {
-            Outcome::Right(ms) => Some(ms),
+            TrialOutcome::Right(ms) => Some(ms),
             _ => None,
         }
     }

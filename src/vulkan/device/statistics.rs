@@ -15,7 +15,7 @@ use std::{
 /// A number that a driver gives.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Value {
+pub enum StatisticValue {
     /// True or false, displayed as 1 or 0.
     Bool(bool),
     /// A signed integer.
@@ -26,7 +26,7 @@ pub enum Value {
     Float(f64),
 }
 
-impl fmt::Display for Value {
+impl fmt::Display for StatisticValue {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Bool(value) => write!(f, "{}", u8::from(*value)),
@@ -45,7 +45,7 @@ pub struct Statistic {
     /// The driver's explanation.
     pub description: String,
     /// The value, in the unit that the description names.
-    pub value: Value,
+    pub value: StatisticValue,
 }
 
 /// One of the programs that a driver makes of a pipeline: at least one for each stage.
@@ -134,10 +134,10 @@ fn statistic(raw: &vk::PipelineExecutableStatisticKHR) -> Statistic {
     // SAFETY: the format says which of the union's numbers the driver wrote.
     let value = unsafe {
         match raw.format {
-            Format::BOOL32 => Value::Bool(raw.value.b32 == vk::TRUE),
-            Format::INT64 => Value::Signed(raw.value.i64),
-            Format::FLOAT64 => Value::Float(raw.value.f64),
-            _ => Value::Unsigned(raw.value.u64),
+            Format::BOOL32 => StatisticValue::Bool(raw.value.b32 == vk::TRUE),
+            Format::INT64 => StatisticValue::Signed(raw.value.i64),
+            Format::FLOAT64 => StatisticValue::Float(raw.value.f64),
+            _ => StatisticValue::Unsigned(raw.value.u64),
         }
     };
     Statistic {

@@ -10,16 +10,16 @@ use std::{
     sync::{Mutex, MutexGuard, PoisonError},
 };
 
-pub use super::outcome::{Outcome, SortChoice, Tried};
+pub use super::outcome::{SortChoice, TrialOutcome, Tried};
 
 #[derive(Serialize, Deserialize)]
-struct Content<V: Clone> {
+struct TrialRecord<V: Clone> {
     /// The variant under trial when this was written, and how many trials of it were begun.
     trying: Option<(V, u32)>,
     tried: Vec<Tried<V>>,
 }
 
-impl<V: Clone> Default for Content<V> {
+impl<V: Clone> Default for TrialRecord<V> {
     fn default() -> Self {
         Self {
             trying: None,
@@ -29,7 +29,7 @@ impl<V: Clone> Default for Content<V> {
 }
 
 /// What this program tries.
-enum Trial {
+enum OngoingTrial {
     None,
     /// What the file at this path names.
     Begun(Option<PathBuf>),
@@ -37,9 +37,9 @@ enum Trial {
     Withdrawn,
 }
 
-static TRIAL: Mutex<Trial> = Mutex::new(Trial::None);
+static TRIAL: Mutex<OngoingTrial> = Mutex::new(OngoingTrial::None);
 
-fn trial() -> MutexGuard<'static, Trial> {
+fn trial() -> MutexGuard<'static, OngoingTrial> {
     TRIAL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -47,13 +47,13 @@ fn trial() -> MutexGuard<'static, Trial> {
 /// variant, and none is begun any more.
 pub fn withdraw() {
     let mut trial = trial();
-    if let Trial::Begun(Some(path)) = &*trial
+    if let OngoingTrial::Begun(Some(path)) = &*trial
         && let Some(text) = withdrawn(path)
         && let Err(error) = cache::write(path, text.as_bytes())
     {
         tracing::debug!("{} was not written: {error}", path.display());
     }
-    *trial = Trial::Withdrawn;
+    *trial = OngoingTrial::Withdrawn;
 }
 
 /// A record without its last attempt.
@@ -87,11 +87,11 @@ impl<V: Copy + PartialEq + Serialize + DeserializeOwned> Record<V> {
 
     /// How each variant did that was tried before.
     pub fn read(&self) -> Vec<Tried<V>> {
-        let mut content: Content<V> = self.file.read();
+        let mut content: TrialRecord<V> = self.file.read();
         let ended = content.trying.filter(|&(_, attempts)| attempts >= ATTEMPTS);
         content.tried.extend(ended.map(|(variant, _)| Tried {
             variant,
-            outcome: Outcome::Unfinished,
+            outcome: TrialOutcome::Unfinished,
         }));
         content.tried
     }
@@ -100,13 +100,13 @@ impl<V: Copy + PartialEq + Serialize + DeserializeOwned> Record<V> {
     /// it, after a second time. False once the program ends: then nothing is to be tried.
     pub fn begin(&self, tried: &[Tried<V>], variant: V) -> bool {
         let mut trial = trial();
-        if let Trial::Withdrawn = *trial {
+        if let OngoingTrial::Withdrawn = *trial {
             return false;
         }
-        *trial = Trial::Begun(self.path().map(Path::to_path_buf));
-        let content: Content<V> = self.file.read();
+        *trial = OngoingTrial::Begun(self.path().map(Path::to_path_buf));
+        let content: TrialRecord<V> = self.file.read();
         let before = content.trying.filter(|&(trying, _)| trying == variant);
-        self.file.write(&Content {
+        self.file.write(&TrialRecord {
             trying: Some((variant, 1 + before.map_or(0, |(_, attempts)| attempts))),
             tried: tried.to_vec(),
         });
@@ -116,10 +116,10 @@ impl<V: Copy + PartialEq + Serialize + DeserializeOwned> Record<V> {
     /// Notes what was found so far.
     pub fn write(&self, tried: &[Tried<V>]) {
         let mut trial = trial();
-        if let Trial::Begun(_) = *trial {
-            *trial = Trial::None;
+        if let OngoingTrial::Begun(_) = *trial {
+            *trial = OngoingTrial::None;
         }
-        self.file.write(&Content {
+        self.file.write(&TrialRecord {
             trying: None,
             tried: tried.to_vec(),
         });

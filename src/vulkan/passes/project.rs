@@ -17,9 +17,9 @@ use ash::vk;
 use effigy_core::{
     frame::{
         DEPTH_KEYS, RendererOptions, Skinning, Skip, SortVariant,
+        capacity::Capacity,
         kernels::{self, KernelSpec},
         resource::Resource,
-        room::Room,
     },
     layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
 };
@@ -98,11 +98,11 @@ impl Project {
         memory: &FrameMemory,
         variant: SortVariant,
         options: &RendererOptions,
-        room: Room,
+        capacity: Capacity,
     ) -> Result<Self> {
         let caches = options.skip.contains(Skip::SKINNING);
         let capacity =
-            room.gaussians.saturating_add(CAPACITY_STEP - 1) / CAPACITY_STEP * CAPACITY_STEP;
+            capacity.gaussians.saturating_add(CAPACITY_STEP - 1) / CAPACITY_STEP * CAPACITY_STEP;
         let layout = SplatBufferLayout::new(capacity, variant);
         let counting = if options.count {
             [1, (layout.reasons / 4) as u32]

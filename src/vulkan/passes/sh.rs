@@ -1,7 +1,7 @@
 //! The `sh` stage (spherical harmonics): the colour of each Gaussian as the camera sees it, for
 //! avatars whose colours depend on that.
 
-use super::model::GaussianSet;
+use super::model::{GaussianSet, Model};
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
     memory::Buffer,
@@ -27,8 +27,26 @@ pub struct SphericalHarmonics {
 }
 
 impl SphericalHarmonics {
+    /// The kernels of an avatar, then of its levels; empty for an avatar without harmonics.
+    pub(crate) fn of_model(
+        gpu: &Arc<Gpu>,
+        avatar: &Avatar,
+        model: &Model,
+        memory: &FrameMemory,
+    ) -> Result<Vec<Self>> {
+        let Some(own) = Self::new(gpu, avatar, model.own(), memory)? else {
+            return Ok(vec![]);
+        };
+        let mut all = vec![own];
+        let levels = avatar.levels.iter().map(|level| avatar.at_level(level));
+        for (level, set) in levels.zip(&model.sets[1..]) {
+            all.extend(Self::new(gpu, &level, set, memory)?);
+        }
+        Ok(all)
+    }
+
     /// Writes to the colours in `set`, the avatar's Gaussians. None for an avatar without harmonics.
-    pub(crate) fn new(
+    fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
         set: &GaussianSet,

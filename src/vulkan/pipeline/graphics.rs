@@ -120,7 +120,7 @@ pub(crate) fn render_pass(
 
 /// Use of the depth attachment by a pipeline.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Depth {
+pub(crate) enum DepthUse {
     /// There is none.
     Without,
     /// Keeps the nearest.
@@ -130,7 +130,7 @@ pub(crate) enum Depth {
 }
 
 /// Description of a graphics pipeline.
-pub(crate) struct Drawing<'a> {
+pub(crate) struct PipelineDescription<'a> {
     pub name: &'static str,
     pub vertex: &'static Module,
     pub fragment: &'static Module,
@@ -139,14 +139,14 @@ pub(crate) struct Drawing<'a> {
     pub layout: vk::PipelineLayout,
     pub render_pass: vk::RenderPass,
     pub blend: vk::PipelineColorBlendAttachmentState,
-    pub depth: Depth,
+    pub depth: DepthUse,
 }
 
 /// Triangles, no vertex buffers, viewport and scissor set while recording.
 ///
 /// # Errors
 /// When the device fails, or its driver crashes when it draws triangles.
-pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
+pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: PipelineDescription) -> Result<Pipeline> {
     if !gpu.probe.draws_triangles() {
         return Err(Error::NoTriangles {
             device: gpu.probe.name.clone(),
@@ -180,8 +180,8 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
     let samples = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
     let depth = vk::PipelineDepthStencilStateCreateInfo::default()
-        .depth_test_enable(drawing.depth != Depth::Without)
-        .depth_write_enable(drawing.depth == Depth::Write)
+        .depth_test_enable(drawing.depth != DepthUse::Without)
+        .depth_write_enable(drawing.depth == DepthUse::Write)
         .depth_compare_op(vk::CompareOp::LESS_OR_EQUAL);
     let attachments = [drawing
         .blend

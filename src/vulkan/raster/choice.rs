@@ -7,7 +7,7 @@ use crate::{
         device::{
             gpu::Gpu,
             probe::Probe,
-            trial::{Outcome, Record, Tried},
+            trial::{Record, TrialOutcome, Tried},
         },
         pipeline::shaders,
     },
@@ -69,7 +69,7 @@ impl MethodChoice {
         };
         let name = variant.name();
         match (outcome, Tried::ms_of(&self.tried, self.method)) {
-            (Outcome::Right(ms), Some(own)) => {
+            (TrialOutcome::Right(ms), Some(own)) => {
                 format!("{own:.2} ms a frame when measured, {name} {ms:.2}")
             }
             (outcome, _) => format!("{name} was tried: {outcome}"),
@@ -88,7 +88,7 @@ pub(crate) fn strike_off(gpu: &Gpu, method: RasterMethod, why: &str) {
     tracing::warn!("{name} failed, and is not used any more: {why}");
     record(gpu, gpu.cache_folder()).write(&[Tried {
         variant: method,
-        outcome: Outcome::Refused(why.to_owned()),
+        outcome: TrialOutcome::Refused(why.to_owned()),
     }]);
 }
 
@@ -155,13 +155,21 @@ mod tests {
     #[test]
     fn a_rival_draws_if_it_is_right_and_a_tenth_faster() {
         use RasterMethod::{Quads, SharedTiles};
-        let refused = || Outcome::Refused("its image is wrong".into());
+        let refused = || TrialOutcome::Refused("its image is wrong".into());
         for (tiles, rival, expected) in [
-            (Outcome::Right(10.0), Outcome::Right(8.9), Quads),
-            (Outcome::Right(10.0), Outcome::Right(9.1), SharedTiles),
-            (Outcome::Right(10.0), refused(), SharedTiles),
-            (refused(), Outcome::Right(1.0), SharedTiles),
-            (Outcome::Right(10.0), Outcome::Unfinished, SharedTiles),
+            (TrialOutcome::Right(10.0), TrialOutcome::Right(8.9), Quads),
+            (
+                TrialOutcome::Right(10.0),
+                TrialOutcome::Right(9.1),
+                SharedTiles,
+            ),
+            (TrialOutcome::Right(10.0), refused(), SharedTiles),
+            (refused(), TrialOutcome::Right(1.0), SharedTiles),
+            (
+                TrialOutcome::Right(10.0),
+                TrialOutcome::Unfinished,
+                SharedTiles,
+            ),
         ] {
             let tried = [(SharedTiles, tiles), (Quads, rival)].map(Tried::from);
             let choice = MethodChoice::new(SharedTiles, tried.into());

@@ -3,7 +3,7 @@
 use crate::vulkan::pipeline::FrameMemory;
 use ash::vk;
 use effigy_core::{
-    frame::{Damage, SortVariant, passes::Target},
+    frame::{Damage, SortVariant, passes::RenderTarget},
     scene::PixelRect,
 };
 
@@ -21,7 +21,7 @@ pub(crate) struct RasterInputs {
 /// The draw of a layer.
 pub struct Draw<'a> {
     /// The image that it goes into.
-    pub target: Target,
+    pub target: RenderTarget,
     /// Width and height of what is drawn, in the target's upper left corner, px.
     pub size: [u32; 2],
     /// Where in the ring of blocks the one with the image's size is, bytes.

@@ -16,13 +16,15 @@ use crate::vulkan::{
     memory::{Buffer, DEPTH_FORMAT, Image, Replacement, Scope},
     pipeline::{
         bindings::Bindings,
-        graphics::{self, Attachment, Depth, Drawing},
+        graphics::{self, Attachment, DepthUse, PipelineDescription},
         shaders,
     },
 };
 use ash::vk;
 use effigy_core::{
-    frame::{ColorFormat, RendererOptions, Skip, kernels, passes::Target, resource::Resource},
+    frame::{
+        ColorFormat, RendererOptions, Skip, kernels, passes::RenderTarget, resource::Resource,
+    },
     layout::QUADS_PER_INSTANCE,
 };
 use std::sync::Arc;
@@ -203,7 +205,7 @@ impl Quads {
     /// graphics. `tested`: whether [`Self::saturation`] found this frame's depths.
     pub fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
         let target = match (draw.target, &self.atlas) {
-            (Target::Atlas, Some(atlas)) => atlas,
+            (RenderTarget::Atlas, Some(atlas)) => atlas,
             _ => &self.target,
         };
         let [width, height] = draw.size;
@@ -342,7 +344,7 @@ fn pipeline(
         Some(saturation) => saturation.bins().constants(own).to_vec(),
         None => own.to_vec(),
     };
-    let drawing = Drawing {
+    let drawing = PipelineDescription {
         name: "raster",
         vertex: &shaders::QUADS_VERTEX,
         fragment: &shaders::QUADS_FRAGMENT,
@@ -351,8 +353,8 @@ fn pipeline(
         render_pass: render_pass.raw(),
         blend: graphics::over(),
         depth: match saturation {
-            Some(_) => Depth::Test,
-            None => Depth::Without,
+            Some(_) => DepthUse::Test,
+            None => DepthUse::Without,
         },
     };
     graphics::pipeline(gpu, drawing)

@@ -15,14 +15,14 @@ use crate::vulkan::{
     },
     memory::Image,
     pipeline::{
-        graphics::{self, Attachment, Depth, Drawing},
+        graphics::{self, Attachment, DepthUse, PipelineDescription},
         set::Set,
         shaders,
     },
 };
 use ash::vk;
 use bytemuck::{Pod, Zeroable, bytes_of};
-use effigy_core::frame::{ColorFormat, atlas::Slot};
+use effigy_core::frame::{ColorFormat, atlas::AtlasSlot};
 use std::sync::Arc;
 
 const ATLAS: vk::DescriptorType = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
@@ -97,7 +97,7 @@ impl Resolve {
 
     /// Averages slots into the image's damage rectangle, in their order; graphics. `clear`: whether
     /// the image holds nothing, which is cleared first.
-    pub fn record(&self, commands: Recording, draw: &Draw, slots: &[Slot], clear: bool) {
+    pub fn record(&self, commands: Recording, draw: &Draw, slots: &[AtlasSlot], clear: bool) {
         let [width, height] = draw.size;
         let area = draw.area();
         let render_pass = if clear { &self.clearing } else { &self.keeping };
@@ -208,7 +208,7 @@ fn pipeline(
     layout: vk::PipelineLayout,
     blend: vk::PipelineColorBlendAttachmentState,
 ) -> Result<Pipeline> {
-    let drawing = Drawing {
+    let drawing = PipelineDescription {
         name: "resolve",
         vertex: &shaders::PRESENT_VERTEX,
         fragment: &shaders::RESOLVE_FRAGMENT,
@@ -216,7 +216,7 @@ fn pipeline(
         layout,
         render_pass: render_pass.raw(),
         blend,
-        depth: Depth::Without,
+        depth: DepthUse::Without,
     };
     graphics::pipeline(gpu, drawing)
 }

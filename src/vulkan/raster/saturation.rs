@@ -18,7 +18,7 @@ use crate::vulkan::{
     pipeline::{
         BoundImage, Kernel, Launch, Resources,
         bindings::Bindings,
-        graphics::{self, Depth, Drawing},
+        graphics::{self, DepthUse, PipelineDescription},
         shaders,
     },
 };
@@ -202,7 +202,7 @@ impl SaturationDepth {
         let stages = vk::ShaderStageFlags::FRAGMENT;
         let bindings = Bindings::new(gpu, "saturation depth", stages, resources)?;
         let replace = vk::PipelineColorBlendAttachmentState::default();
-        let drawing = Drawing {
+        let drawing = PipelineDescription {
             name: "saturation depth",
             vertex: &shaders::PRESENT_VERTEX,
             fragment: &shaders::SATURATION_DEPTH,
@@ -210,7 +210,7 @@ impl SaturationDepth {
             layout: bindings.layout(),
             render_pass: render_pass.raw(),
             blend: replace,
-            depth: Depth::Write,
+            depth: DepthUse::Write,
         };
         Ok(Self {
             pipeline: graphics::pipeline(gpu, drawing)?,

@@ -23,7 +23,7 @@ use crate::{
     },
 };
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, atlas::Slot},
+    frame::{ColorFormat, RasterMethod, RendererOptions, atlas::AtlasSlot},
     layout::BinLists,
 };
 use std::sync::Arc;
@@ -296,7 +296,7 @@ impl Raster {
         &self,
         commands: Recording,
         draw: &Draw,
-        slots: &[Slot],
+        slots: &[AtlasSlot],
         clear: bool,
     ) {
         if clear && draw.damage.whole {

@@ -14,7 +14,7 @@ use crate::vulkan::{
 };
 use ash::vk::{self, AccessFlags, ImageLayout};
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, kernels, passes::Target},
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, kernels, passes::RenderTarget},
     layout::{RASTER_REGION, SHARED_REGION},
 };
 use std::sync::Arc;
@@ -229,7 +229,7 @@ impl Tiles {
     /// Draws every pixel of the damage rectangle. Reads the output of `binning`; compute.
     pub fn record(&self, commands: Recording, draw: &Draw) {
         let target = match (draw.target, &self.atlas) {
-            (Target::Atlas, Some(atlas)) => atlas,
+            (RenderTarget::Atlas, Some(atlas)) => atlas,
             _ => &self.target,
         };
         let image = target.image.raw();

@@ -12,7 +12,7 @@ use crate::vulkan::{
     pipeline::{
         Resources,
         bindings::Bindings,
-        graphics::{self, Attachment, Depth, Drawing},
+        graphics::{self, Attachment, DepthUse, PipelineDescription},
         shaders,
     },
     raster::{
@@ -131,7 +131,7 @@ impl Fill {
             FillShape::Gaussians => EDGE_EXPONENT,
             FillShape::Whole | FillShape::Quads => 0.0,
         };
-        let drawing = Drawing {
+        let drawing = PipelineDescription {
             name: "fill",
             vertex: &shaders::RATES_FILL_VERTEX,
             fragment: &shaders::RATES_FILL_FRAGMENT,
@@ -147,9 +147,9 @@ impl Fill {
             render_pass: render_pass.raw(),
             blend: blend(filling),
             depth: if filling.blended {
-                Depth::Without
+                DepthUse::Without
             } else {
-                Depth::Write
+                DepthUse::Write
             },
         };
         Ok(Self {

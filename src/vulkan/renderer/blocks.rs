@@ -13,8 +13,8 @@ use effigy_core::{
     frame::{
         RendererOptions, Skinning,
         block::{self, PoseLayout},
+        capacity::Capacity,
         pose_cache::PoseCache,
-        room::Room,
         state::{AvatarInstance, FramePlan, Layer},
     },
     layout::FrameBlock,
@@ -27,7 +27,7 @@ use std::sync::Arc;
 const STRIDE: usize = size_of::<FrameBlock>().next_multiple_of(256);
 
 /// A ring of uniform blocks, and the pose cache of each avatar.
-pub(super) struct Blocks {
+pub(super) struct BlockRing {
     buffer: Buffer,
     instances: usize,
     /// One an avatar.
@@ -38,13 +38,13 @@ pub(super) struct Blocks {
 pub(super) struct BlockSources<'a> {
     pub extent: &'a AvatarBounds,
     pub options: &'a RendererOptions,
-    pub room: Room,
+    pub capacity: Capacity,
     pub splats: &'a Project,
     pub sort: &'a Sort,
     pub model: &'a Model,
 }
 
-impl Blocks {
+impl BlockRing {
     /// For so many avatars a frame. `constants`: what no frame changes.
     pub fn new(gpu: &Arc<Gpu>, instances: usize, constants: &FrameBlock) -> Result<Self> {
         // One more for an image without avatars.
@@ -138,7 +138,7 @@ impl Blocks {
         sources.splats.fill(block);
         block.count_tile = sources.sort.tile();
         if let Some(instance) = instance {
-            let pose = PoseLayout::new(&sources.model.own().constants, sources.room);
+            let pose = PoseLayout::new(&sources.model.own().constants, sources.capacity);
             block::write_instance(block, sources.options, layer, instance, pose);
             sources.splats.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);

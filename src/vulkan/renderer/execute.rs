@@ -1,6 +1,6 @@
 //! Runs a frame's schedule: records its passes, barriers and stages into a command buffer.
 
-use super::blocks::Blocks;
+use super::blocks::BlockRing;
 use crate::vulkan::{
     commands::{
         control::set_control,
@@ -14,10 +14,10 @@ use crate::vulkan::{
 };
 use ash::vk::{AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
-    FramePlan, Schedule,
-    passes::{Pass, Stage, Target},
+    FramePlan, FrameSchedule,
+    passes::{Pass, RenderTarget, Stage},
     resource::PipelineStages,
-    schedule::{Command, Step},
+    schedule::{FrameCommand, ScheduleStep},
 };
 
 /// What a barrier waits for: the stages, and what they wrote.
@@ -100,7 +100,7 @@ pub(super) struct Executor<'a> {
     pub raster: &'a Raster,
     pub control: &'a Buffer,
     pub counts: CountSources,
-    pub blocks: &'a Blocks,
+    pub blocks: &'a BlockRing,
     pub plan: &'a FramePlan<'a>,
     /// Index of the frame in flight.
     pub frame: usize,
@@ -112,20 +112,20 @@ pub(super) struct Executor<'a> {
 
 impl Executor<'_> {
     /// Records a schedule into a frame in flight, which must be recording.
-    pub fn execute(&self, in_flight: &mut FrameInFlight, schedule: &Schedule) {
+    pub fn execute(&self, in_flight: &mut FrameInFlight, schedule: &FrameSchedule) {
         let count = self.image.count;
         for step in &schedule.steps {
             match step {
-                Step::Skip(stage, _) => in_flight.skip(stage.name()),
-                Step::Command(Command::Run(Pass::KeepCounts)) => {
+                ScheduleStep::Skip(stage, _) => in_flight.skip(stage.name()),
+                ScheduleStep::Command(FrameCommand::Run(Pass::KeepCounts)) => {
                     // SAFETY: the frame is recording; the renderer drops the buffers after the
                     // frames in flight.
                     unsafe { in_flight.keep_counts(self.counts) };
                 }
-                Step::Command(command) => {
+                ScheduleStep::Command(command) => {
                     in_flight.record(|commands| self.record(commands, command));
                 }
-                Step::Stage(stage) => {
+                ScheduleStep::Stage(stage) => {
                     let name = stage.stage.name();
                     let record = |commands: Recording| {
                         for command in &stage.commands {
@@ -153,23 +153,23 @@ impl Executor<'_> {
     }
 
     /// The draw into a layer's image.
-    fn draw(&self, target: Target) -> &Draw<'_> {
+    fn draw(&self, target: RenderTarget) -> &Draw<'_> {
         match target {
-            Target::Atlas => self.atlas.as_ref().expect(SCHEDULED),
-            Target::Image => &self.image,
+            RenderTarget::Atlas => self.atlas.as_ref().expect(SCHEDULED),
+            RenderTarget::Image => &self.image,
         }
     }
 
-    fn record(&self, commands: Recording, command: &Command) {
+    fn record(&self, commands: Recording, command: &FrameCommand) {
         match command {
-            Command::Barrier(barrier) => {
+            FrameCommand::Barrier(barrier) => {
                 let [from, to] = [before(barrier.before), after(barrier.after)];
                 // Where nothing is left of it, render passes order it.
                 if !from.stages.is_empty() && !to.stages.is_empty() {
                     commands.barrier(from, to);
                 }
             }
-            Command::Run(pass) => self.run(commands, pass),
+            FrameCommand::Run(pass) => self.run(commands, pass),
         }
     }
 

@@ -1,5 +1,5 @@
 //! Draws an avatar, or several copies of it in one scene: poses and a camera go in, an image on the
-//! device comes out. [`Schedule::new`] says what a frame runs, `execute.rs` records it.
+//! device comes out. [`FrameSchedule::new`] says what a frame runs, `execute.rs` records it.
 
 mod blocks;
 mod execute;
@@ -34,17 +34,17 @@ use super::{
 };
 use crate::ndk::section;
 use ash::vk;
-use blocks::Blocks;
+use blocks::BlockRing;
 use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, DEPTH_KEYS, Damage, FramePlan, Layer, RendererOptions, Schedule, Skip, Stage,
-        StageDispatches, Unusable,
+        Counters, DEPTH_KEYS, Damage, FramePlan, FrameSchedule, Layer, RendererOptions, Skip,
+        Stage, StageDispatches, Unusable,
         block::PoseLayout,
-        passes::Target,
+        capacity::Capacity,
+        passes::RenderTarget,
         resource::Resource,
-        room::Room,
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
         validate,
@@ -63,12 +63,12 @@ pub struct Presentation<'a> {
 }
 
 impl<'a> Presentation<'a> {
-    /// `semaphores`: None where nobody else waits.
+    /// `semaphores`: None if nothing else waits for the frame.
     ///
     /// # Safety
-    /// All that `record` uses must stay alive until the frame is done ([`Renderer::finish`]), and
-    /// so must the semaphores. Something must signal the one that is waited for, and nothing else
-    /// use the other.
+    /// Everything that `record` uses must stay alive until the frame is done ([`Renderer::finish`]),
+    /// and so must the semaphores. The semaphore that is waited for must be signalled, and the other
+    /// one must not be used elsewhere.
     pub unsafe fn new(
         semaphores: Option<Semaphores>,
         record: &'a mut dyn FnMut(Recording),
@@ -82,7 +82,7 @@ pub struct Renderer {
     // The first field: dropping it waits for the frames that use all others.
     frames_in_flight: Vec<FrameInFlight>,
     mlp: Mlp,
-    /// Of the avatar, then of its levels; none where colours don't depend on the view.
+    /// Of the avatar, then of its levels; empty if colours don't depend on the view.
     sh: Vec<SphericalHarmonics>,
     project: Project,
     sort: Sort,
@@ -91,18 +91,18 @@ pub struct Renderer {
     /// Features, then node displacements, of one avatar after the other; then a vector of zeros.
     pose: Buffer,
     /// A block for each avatar of each frame under way.
-    blocks: Blocks,
-    /// Why it draws by its method. None where the options said so.
+    blocks: BlockRing,
+    /// Why it draws by its method. None if the options named the method.
     choice: Option<MethodChoice>,
     model: Model,
     extent: AvatarBounds,
-    room: Room,
+    capacity: Capacity,
     needs: PartDependencies,
     options: RendererOptions,
     state: FrameState,
     /// The key count that the control holds; None before the first frame.
     key_count: Option<u32>,
-    /// A box around all pixels that the last frames drew; None where they are not known.
+    /// A box around all pixels that the last frames drew; None if they are not known.
     damaged: Option<PixelRect>,
     /// Whether a frame was drawn into the image.
     has_image: bool,
@@ -111,12 +111,12 @@ pub struct Renderer {
     gpu: Arc<Gpu>,
 }
 
-/// What the frame before left.
+/// The state that the frame before left.
 #[derive(Clone, Copy)]
 struct FrameBefore {
     /// The key count that the control holds; None before the first frame.
     key_count: Option<u32>,
-    /// A box around all pixels that may be drawn; None where they are not known.
+    /// A box around all pixels that may be drawn; None if they are not known.
     damaged: Option<PixelRect>,
 }
 
@@ -171,23 +171,20 @@ impl Renderer {
         options.check()?;
         let avatar = prepared.avatar;
         let mut options = resolved(gpu, options);
-        // Where colours change with the view, poses are not cached.
+        // Colours that change with the view can't come from a pose cache.
         if avatar.sh.is_some() {
             options.skip -= Skip::SKINNING;
         }
-        let began = Instant::now();
-        let model = Model::new(gpu, avatar, &prepared.packed)?;
-        tracing::info!("uploaded the avatar in {:.1} ms", ms_since(began));
+        let model = upload(gpu, prepared)?;
         let began = Instant::now();
         let constants = &model.own().constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
         let extent = prepared.bounds.clone().filtered(options.filter);
-        let room = Room::new(&options, &extent)?;
-        let layout = PoseLayout::new(constants, room);
-        // The last vector stays as it is.
-        let zeros = vec![0; 16 * layout.total() as usize];
+        let capacity = Capacity::new(&options, &extent)?;
+        // The last vector stays zero.
+        let zeros = vec![0; 16 * PoseLayout::new(constants, capacity).total() as usize];
         let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
-        let blocks = Blocks::new(gpu, options.instances, constants)?;
+        let blocks = BlockRing::new(gpu, options.instances, constants)?;
         let control = Buffer::with_data(
             gpu,
             "control",
@@ -195,40 +192,25 @@ impl Renderer {
             storage | vk::BufferUsageFlags::INDIRECT_BUFFER,
         )?;
         let memory = FrameMemory::new(blocks.slice()).with(Resource::Pose, &pose);
-        let variant = match options.sort {
-            Some(variant) => {
-                sort::choice::allow(gpu, variant)?;
-                variant
-            }
-            None => sort::choice::without_test(gpu)?,
-        };
-        let project = Project::new(gpu, &model, &memory, variant, &options, room)?;
+        let variant = sort::choice::allowed(gpu, options.sort)?;
+        let project = Project::new(gpu, &model, &memory, variant, &options, capacity)?;
         let sort_options = SortOptions {
             counts: Some(project.counts()),
             ..SortOptions::new(DEPTH_KEYS, variant)
         };
-        let capacity = project.capacity();
+        let max_keys = project.capacity();
         // SAFETY: the renderer owns these buffers, and drops them after its frames.
-        let sort = unsafe { Sort::new(gpu, project.keys(), &control, capacity, sort_options) }?;
+        let sort = unsafe { Sort::new(gpu, project.keys(), &control, max_keys, sort_options) }?;
         let inputs = RasterInputs {
             memory: memory
                 .with(Resource::Order, sort.order())
                 .with(Resource::Splats, project.whole_buffer())
                 .with(Resource::Control, &control),
-            capacity,
+            capacity: max_keys,
             sort: variant,
         };
         let raster = Raster::new(gpu, &inputs, &options)?;
-        let mut sh = vec![];
-        if avatar.sh.is_some() {
-            let levels = avatar.levels.iter().map(|level| avatar.at_level(level));
-            for (level, set) in levels.zip(&model.sets[1..]) {
-                sh.extend(SphericalHarmonics::new(gpu, &level, set, &memory)?);
-            }
-        }
-        if let Some(own) = SphericalHarmonics::new(gpu, avatar, model.own(), &memory)? {
-            sh.insert(0, own);
-        }
+        let sh = SphericalHarmonics::of_model(gpu, avatar, &model, &memory)?;
         let renderer = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
@@ -242,7 +224,7 @@ impl Renderer {
             pose,
             blocks,
             extent,
-            room,
+            capacity,
             needs: PartDependencies::new(avatar),
             model,
             options,
@@ -260,12 +242,12 @@ impl Renderer {
     }
 
     /// Draws this avatar from now on, which has the lengths of the one before in every array, the
-    /// same bounds in what they ask room for, and no spherical harmonics: kernels, bindings and
-    /// image stay. Waits for submitted frames. False, and nothing has changed, where it needs a
-    /// renderer of its own.
+    /// same capacity, and no spherical harmonics: kernels, bindings and image stay. Waits for
+    /// submitted frames. Returns false and changes nothing if the avatar needs a renderer of its
+    /// own.
     ///
     /// # Errors
-    /// When the device fails, or its memory does not suffice: nothing has changed then.
+    /// When the device fails, or its memory does not suffice. Then nothing has changed.
     pub fn replace_avatar(&mut self, prepared: &PreparedAvatar) -> Result<bool> {
         let avatar = prepared.avatar;
         let extent = prepared.bounds.clone().filtered(self.options.filter);
@@ -275,8 +257,9 @@ impl Renderer {
             self.model.own().constants.as_ref(),
             &packed.sets[0].constants,
         ]
-        .map(|constants| PoseLayout::new(constants, self.room).total());
-        if has_sh || poses[0] != poses[1] || Room::new(&self.options, &extent)? != self.room {
+        .map(|constants| PoseLayout::new(constants, self.capacity).total());
+        if has_sh || poses[0] != poses[1] || Capacity::new(&self.options, &extent)? != self.capacity
+        {
             return Ok(false);
         }
         self.finish()?;
@@ -326,14 +309,14 @@ impl Renderer {
         &self.options
     }
 
-    /// Why it draws by its method. None where the options said so.
+    /// Why it draws by its method. None if the options named the method.
     pub fn choice(&self) -> Option<&MethodChoice> {
         self.choice.as_ref()
     }
 
-    /// Has no renderer made from now on draw as this one does, if it draws by another method than
-    /// that of the device's class. Call it when the device is lost or hangs. Returns whether the
-    /// next one draws otherwise.
+    /// Strikes off this renderer's method for all made from now on, unless it is that of the device's
+    /// class. Call it when the device is lost or hangs. Returns whether the next renderer draws by
+    /// another method.
     pub fn strike_off(&self, why: &str) -> bool {
         let Some(choice) = self.choice.as_ref().filter(|choice| choice.is_rival()) else {
             return false;
@@ -372,19 +355,9 @@ impl Renderer {
         validate::frame(poses, camera, &self.extent, &self.options)?;
         let frame = self.next;
         let began = Instant::now();
-        let waiting = section(c"wait");
-        if let Some(report) = self.frames_in_flight[frame].finish()? {
-            self.report = report;
-        }
-        drop(waiting);
+        self.finish_frame(frame)?;
         let waited = Instant::now();
-        if let Some(asked) = self.frames_in_flight[frame].take_list_blocks()
-            && let Some(blocks) = self.raster.other_blocks(asked)
-        {
-            self.finish()?;
-            // SAFETY: every frame is done.
-            unsafe { self.raster.resize_lists(blocks) };
-        }
+        self.resize_lists(frame)?;
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut state = std::mem::take(&mut self.state);
         let before = FrameBefore {
@@ -397,7 +370,7 @@ impl Renderer {
             bounds: &self.extent,
             dependencies: &self.needs,
             options: &self.options,
-            room: self.room,
+            capacity: self.capacity,
             always_submit: presentation.is_some(),
         });
         if !plan.redraw && presentation.is_none() {
@@ -407,35 +380,13 @@ impl Renderer {
             self.report = FrameReport::idle(&self.equipment());
             return Ok(());
         }
-        if let Some(atlas) = &plan.atlas
-            && plan.redraw
-            && !self.raster.has_atlas(atlas.layer.size)
-        {
-            self.finish()?;
-            // SAFETY: every frame is done.
-            unsafe { self.raster.make_atlas(atlas.layer.size) }?;
-        }
+        self.make_atlas(&plan)?;
         if plan.stores_poses() && !self.project.has_cache() && !self.make_pose_cache()? {
             // Planned anew, and nothing is stored.
             return self.draw_scene(poses, camera, presentation);
         }
         let recording = section(c"record");
-        let sources = blocks::BlockSources {
-            extent: &self.extent,
-            options: &self.options,
-            room: self.room,
-            splats: &self.project,
-            sort: &self.sort,
-            model: &self.model,
-        };
-        self.blocks.write(frame, &plan, camera, &sources);
-        self.frames_in_flight[frame].begin()?;
-        let device_state = DeviceState {
-            key_count: before.key_count,
-        };
-        let schedule = Schedule::new(&plan, &self.equipment(), device_state);
-        let damage = Damage::new(plan.drawn_rect, before.damaged, self.raster.drawn());
-        self.record(frame, &schedule, &plan, &damage);
+        let schedule = self.record(frame, &plan, camera, before)?;
         let mut semaphores = None;
         if let Some(presentation) = presentation {
             self.frames_in_flight[frame].stage("present", presentation.record);
@@ -466,12 +417,81 @@ impl Renderer {
         Ok(())
     }
 
+    /// Waits for the frame before the last, and takes its report. `frame`: its index.
+    fn finish_frame(&mut self, frame: usize) -> Result<()> {
+        let _waiting = section(c"wait");
+        if let Some(report) = self.frames_in_flight[frame].finish()? {
+            self.report = report;
+        }
+        Ok(())
+    }
+
+    /// Gives the tile lists the length that a finished frame asked for, if it is another one, after
+    /// waiting for submitted frames.
+    fn resize_lists(&mut self, frame: usize) -> Result<()> {
+        if let Some(asked) = self.frames_in_flight[frame].take_list_blocks()
+            && let Some(blocks) = self.raster.other_blocks(asked)
+        {
+            self.finish()?;
+            // SAFETY: every frame is done.
+            unsafe { self.raster.resize_lists(blocks) };
+        }
+        Ok(())
+    }
+
+    /// Makes the atlas that a frame draws into, if there is none as large, after waiting for
+    /// submitted frames.
+    fn make_atlas(&mut self, plan: &FramePlan) -> Result<()> {
+        if let Some(atlas) = &plan.atlas
+            && plan.redraw
+            && !self.raster.has_atlas(atlas.layer.size)
+        {
+            self.finish()?;
+            // SAFETY: every frame is done.
+            unsafe { self.raster.make_atlas(atlas.layer.size) }?;
+        }
+        Ok(())
+    }
+
+    /// Begins a frame in flight, and records a plan. `frame`: its index.
+    fn record(
+        &mut self,
+        frame: usize,
+        plan: &FramePlan,
+        camera: &Camera,
+        before: FrameBefore,
+    ) -> Result<FrameSchedule> {
+        let sources = blocks::BlockSources {
+            extent: &self.extent,
+            options: &self.options,
+            capacity: self.capacity,
+            splats: &self.project,
+            sort: &self.sort,
+            model: &self.model,
+        };
+        self.blocks.write(frame, plan, camera, &sources);
+        self.frames_in_flight[frame].begin()?;
+        let device_state = DeviceState {
+            key_count: before.key_count,
+        };
+        let schedule = FrameSchedule::new(plan, &self.equipment(), device_state);
+        let damage = Damage::new(plan.drawn_rect, before.damaged, self.raster.drawn());
+        self.execute(frame, &schedule, plan, &damage);
+        Ok(schedule)
+    }
+
     /// Records a schedule. The frame in flight must be recording. `frame`: its index.
-    fn record(&mut self, frame: usize, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
+    fn execute(
+        &mut self,
+        frame: usize,
+        schedule: &FrameSchedule,
+        plan: &FramePlan,
+        damage: &Damage,
+    ) {
         let stages = StageDispatches {
             has_sh: !self.sh.is_empty(),
             sort: schedule.runs(Stage::Sort) * self.sort.dispatches(true) as u64,
-            // Quads have none without the stages before them.
+            // Quads have no dispatches without the stages before them.
             raster: schedule.runs(Stage::Binning) * self.raster.dispatches(),
         };
         let counters = Counters {
@@ -499,8 +519,8 @@ impl Renderer {
             blocks: &self.blocks,
             plan,
             frame,
-            image: draw(&plan.image, Target::Image, damage),
-            atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, Target::Atlas, damage)),
+            image: draw(&plan.image, RenderTarget::Image, damage),
+            atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, RenderTarget::Atlas, damage)),
         };
         let in_flight = &mut self.frames_in_flight[frame];
         in_flight.note(counters);
@@ -516,8 +536,8 @@ impl Renderer {
         }
     }
 
-    /// Makes the memory of the pose cache, after waiting for submitted frames. Where the device has
-    /// none left, no pose is cached from now on: false.
+    /// Makes the memory of the pose cache, after waiting for submitted frames. Returns false if the
+    /// device has no memory left: no pose is cached from now on.
     fn make_pose_cache(&mut self) -> Result<bool> {
         self.finish()?;
         // SAFETY: every frame is done, and all that binds the buffer gets the new one below.
@@ -568,7 +588,7 @@ impl Renderer {
     /// allocated.
     ///
     /// # Errors
-    /// When the size does not fit, the cutoff is none, or the device fails. Then the next frame is
+    /// When the size does not fit, the cutoff is invalid, or the device fails. Then the next frame is
     /// drawn as before.
     pub fn adjust(&mut self, size: [u32; 2], cutoff: f64, detail: Detail) -> Result<()> {
         let options = RendererOptions {
@@ -644,4 +664,11 @@ impl Renderer {
         };
         sources.download()
     }
+}
+
+fn upload(gpu: &Arc<Gpu>, prepared: &PreparedAvatar) -> Result<Model> {
+    let began = Instant::now();
+    let model = Model::new(gpu, prepared.avatar, &prepared.packed)?;
+    tracing::info!("uploaded the avatar in {:.1} ms", ms_since(began));
+    Ok(model)
 }

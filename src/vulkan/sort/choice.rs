@@ -10,7 +10,7 @@ use crate::vulkan::{
     device::{
         error::{Error, Result},
         gpu::Gpu,
-        trial::{Outcome, Record, SortChoice, Tried},
+        trial::{Record, SortChoice, TrialOutcome, Tried},
     },
     pipeline::shaders,
 };
@@ -81,7 +81,7 @@ pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
 /// is drawn with all the same: nothing else is known of it.
 fn chosen(gpu: &Gpu, tried: &[Tried<SortVariant>]) -> Option<SortChoice> {
     let [safest, _] = variants(gpu);
-    let is_unknown = Tried::outcome_of(tried, safest) == Some(&Outcome::Unfinished);
+    let is_unknown = Tried::outcome_of(tried, safest) == Some(&TrialOutcome::Unfinished);
     let all_tried = untried(gpu, tried).is_empty();
     SortChoice::fastest(tried).or_else(|| {
         (is_unknown && all_tried).then(|| SortChoice {
@@ -120,7 +120,7 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
                 if brought_down(gpu, &error) {
                     tried.push(Tried {
                         variant,
-                        outcome: Outcome::Refused(error.to_string()),
+                        outcome: TrialOutcome::Refused(error.to_string()),
                     });
                 }
                 record.write(&tried);
@@ -156,15 +156,25 @@ fn brought_down(gpu: &Gpu, error: &Error) -> bool {
     }
 }
 
+/// The variant to sort with: the one that the user named, which is tested if it has no record, or
+/// [`without_test`].
+pub(crate) fn allowed(gpu: &Arc<Gpu>, named: Option<SortVariant>) -> Result<SortVariant> {
+    let Some(variant) = named else {
+        return without_test(gpu);
+    };
+    allow(gpu, variant)?;
+    Ok(variant)
+}
+
 /// Checks that a variant named by the user may be used. Tests it if it has no record.
-pub(crate) fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
+fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
     if gpu.statistics.is_some() {
-        // Who asks what a compiler makes of the shaders may have nothing that runs them.
+        // Programs that ask for shader statistics may have no device that runs the shaders.
         return Ok(());
     }
     let why = match outcome_of(gpu, variant)? {
-        Outcome::Right(_) => return Ok(()),
-        Outcome::Unsupported(why) => why,
+        TrialOutcome::Right(_) => return Ok(()),
+        TrialOutcome::Unsupported(why) => why,
         outcome => format!("its test says {outcome}"),
     };
     Err(Error::Unsupported {
@@ -174,7 +184,7 @@ pub(crate) fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
 }
 
 /// The outcome of a variant named by the user. Tests it if it has no record.
-fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
+fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<TrialOutcome> {
     let find = |tried: &[Tried<SortVariant>]| Tried::outcome_of(tried, variant).cloned();
     let mut asked = gpu
         .sorts
@@ -190,7 +200,7 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     };
     match known {
         // It may lack no more than a use here.
-        Some(Outcome::Unsupported(_)) | None => {
+        Some(TrialOutcome::Unsupported(_)) | None => {
             let outcome = test(gpu, variant)?;
             asked.push(Tried {
                 variant,
@@ -203,20 +213,20 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
 }
 
 /// Tests one variant, whatever the record says. Fails only where the device can't be used any more.
-pub fn test(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
+pub fn test(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<TrialOutcome> {
     if let Some(reason) = unsupported(variant, gpu) {
-        return Ok(Outcome::Unsupported(reason.into()));
+        return Ok(TrialOutcome::Unsupported(reason.into()));
     }
     match run(gpu, variant) {
         Ok(outcome) => Ok(outcome),
         Err(error @ (Error::Timeout { .. } | Error::DeviceLost(_) | Error::OutOfMemory { .. })) => {
             Err(error)
         }
-        Err(error) => Ok(Outcome::Refused(error.to_string())),
+        Err(error) => Ok(TrialOutcome::Refused(error.to_string())),
     }
 }
 
-fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
+fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<TrialOutcome> {
     let sorter = StandaloneSort::new(gpu, KEYS, SortOptions::new(KeyBits::Sixteen, variant))?;
     // Drivers may compile in the first run, which is therefore not held against the variant.
     sorter.load(&[7])?;
@@ -225,14 +235,16 @@ fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
         sorter.load(&keys)?;
         let mut times = sorter.run()?;
         if let Some(difference) = sorter.difference(&keys)? {
-            return Ok(Outcome::Refused(format!("wrong for {name}: {difference}")));
+            return Ok(TrialOutcome::Refused(format!(
+                "wrong for {name}: {difference}"
+            )));
         }
         if times.wall > PATIENCE {
             // The machine may have been busy, or asleep.
             times = sorter.run()?;
         }
         if times.wall > PATIENCE {
-            return Ok(Outcome::Refused(format!(
+            return Ok(TrialOutcome::Refused(format!(
                 "{:.1} s for {name}",
                 times.wall.as_secs_f64()
             )));
@@ -244,14 +256,16 @@ fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     for _ in 0..TIMED {
         best = best.min(sorter.run()?.device);
         if let Some(difference) = sorter.difference(&keys)? {
-            return Ok(Outcome::Refused(format!(
+            return Ok(TrialOutcome::Refused(format!(
                 "wrong when repeated: {difference}"
             )));
         }
     }
     Ok(match long(gpu, variant)? {
-        Some(difference) => Outcome::Refused(format!("wrong for keys of 32 bits: {difference}")),
-        None => Outcome::Right(best.as_secs_f64() * 1e3),
+        Some(difference) => {
+            TrialOutcome::Refused(format!("wrong for keys of 32 bits: {difference}"))
+        }
+        None => TrialOutcome::Right(best.as_secs_f64() * 1e3),
     })
 }
 
@@ -268,19 +282,19 @@ fn long(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Option<String>> {
     sorter.difference(&keys)
 }
 
-type Keys = (&'static str, Vec<u32>);
+type NamedKeys = (&'static str, Vec<u32>);
 
 /// Keys without pattern (Knuth's multiplicative hash).
 fn scramble(at: u32) -> u32 {
     at.wrapping_mul(2_654_435_769) >> 16
 }
 
-fn spread() -> Keys {
+fn spread() -> NamedKeys {
     ("spread keys", (0..KEYS).map(scramble).collect())
 }
 
 /// Sets of keys that are likely to show an error, the largest last.
-fn adversarial(tile: u32) -> Vec<Keys> {
+fn adversarial(tile: u32) -> Vec<NamedKeys> {
     let drop = |at: u32, key: u32| {
         if scramble(at ^ 0x5555).is_multiple_of(3) {
             SORT_CULLED

@@ -11,7 +11,7 @@ use crate::vulkan::{
     },
     memory::{Image, fill_image},
     pipeline::{
-        graphics::{self, Attachment, Depth, Drawing},
+        graphics::{self, Attachment, DepthUse, PipelineDescription},
         set::Set,
         shaders,
     },
@@ -250,7 +250,7 @@ fn pipeline(
     render_pass: &RenderPass,
     layout: vk::PipelineLayout,
 ) -> Result<Pipeline> {
-    let drawing = Drawing {
+    let drawing = PipelineDescription {
         name: "present",
         vertex: &shaders::PRESENT_VERTEX,
         fragment: &shaders::PRESENT_FRAGMENT,
@@ -258,7 +258,7 @@ fn pipeline(
         layout,
         render_pass: render_pass.raw(),
         blend: vk::PipelineColorBlendAttachmentState::default(),
-        depth: Depth::Without,
+        depth: DepthUse::Without,
     };
     graphics::pipeline(gpu, drawing)
 }

@@ -1,6 +1,6 @@
 //! A window's surface and the images that it shows in turn.
 
-pub use super::target::Target;
+pub use super::target::NativeWindow;
 use super::{
     pre_transform::PreTransform,
     present::PresentTarget,
@@ -34,7 +34,7 @@ pub struct Surface {
 struct SurfaceHandle {
     raw: vk::SurfaceKHR,
     loader: khr::surface::Instance,
-    _target: Target,
+    _target: NativeWindow,
     /// Keeps the instance.
     _device: Arc<Device>,
 }
@@ -48,7 +48,7 @@ impl Drop for SurfaceHandle {
 
 impl Surface {
     /// Fails where the device can't show images in this window.
-    pub fn new(gpu: &Arc<Gpu>, target: Target) -> Result<Self> {
+    pub fn new(gpu: &Arc<Gpu>, target: NativeWindow) -> Result<Self> {
         let loader = khr::surface::Instance::new(&gpu.instance.entry, &gpu.instance.raw);
         let entry = &gpu.instance.entry;
         let instance = &gpu.instance.raw;

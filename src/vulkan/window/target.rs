@@ -6,7 +6,7 @@ use std::ffi::CStr;
 
 /// A window as drivers know it. The window must outlive it.
 #[derive(Clone)]
-pub struct Target {
+pub struct NativeWindow {
     pub(crate) display: RawDisplayHandle,
     pub(crate) window: RawWindowHandle,
     /// Keeps what `display` points to.
@@ -14,7 +14,7 @@ pub struct Target {
     _connection: Option<std::sync::Arc<xcb::Connection>>,
 }
 
-impl Target {
+impl NativeWindow {
     /// On X11 drivers get a connection of their own, for they read from it on threads of theirs:
     /// what a user typed would be taken out of the socket that the event loop sleeps on, and wait
     /// in a queue for the next event.

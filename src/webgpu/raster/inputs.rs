@@ -1,7 +1,7 @@
 //! What the stages before leave for this one, and what a layer is drawn with.
 
 use super::super::buffer::Slice;
-use effigy_core::frame::{Damage, passes::Target};
+use effigy_core::frame::{Damage, passes::RenderTarget};
 
 /// Order, splats with their keys, and control as the stages before leave them.
 #[derive(Clone, Copy)]
@@ -20,7 +20,7 @@ pub struct RasterInputs<'a> {
 #[derive(Clone, Copy)]
 pub struct Draw<'a> {
     /// The image that it goes into.
-    pub target: Target,
+    pub target: RenderTarget,
     /// Width and height of what is drawn, in the target's upper left corner, px.
     pub size: [u32; 2],
     /// Where the uniform block with that size is, bytes.

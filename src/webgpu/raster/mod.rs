@@ -16,12 +16,13 @@ use super::{
     error::{Error, Result},
     frame_in_flight::{FrameInFlight, Writes},
     kernel::Blocks,
-    owned::Texture,
+    owned::OwnedTexture,
 };
 use bins::Bins;
 use effigy_core::{
     frame::{
-        ColorFormat, Damage, RasterMethod, RendererOptions, Skip, atlas::Slot, passes::Target,
+        ColorFormat, Damage, RasterMethod, RendererOptions, Skip, atlas::AtlasSlot,
+        passes::RenderTarget,
     },
     layout::{SATURATION_REGION, SHARED_REGION, SettingsBlock},
 };
@@ -35,32 +36,32 @@ use wgpu::{TextureFormat, TextureUsages, TextureView};
 /// new one in each frame.
 const ATLAS_STEP: u32 = 256;
 
-/// One way to draw, as [`RasterMethod`] says.
-enum Way {
+/// The kernels of a [`RasterMethod`].
+enum MethodKernels {
     Quads(Box<Quads>),
     Tiles(Box<Tiles>),
 }
 
 /// The image of avatars that are drawn larger than they are shown, and what averages it.
-struct Atlas {
-    image: Texture,
+struct AtlasImage {
+    image: OwnedTexture,
     view: TextureView,
     resolve: Resolve,
 }
 
-impl Atlas {
+impl AtlasImage {
     fn size(&self) -> [u32; 2] {
         [self.image.width(), self.image.height()]
     }
 }
 
 pub struct Raster {
-    way: Way,
+    method: MethodKernels,
     format: ColorFormat,
-    image: Texture,
+    image: OwnedTexture,
     view: TextureView,
     /// None until a frame has an avatar that is drawn larger than it is shown.
-    atlas: Option<Atlas>,
+    atlas: Option<AtlasImage>,
     /// The most slots of an atlas: one an avatar.
     slots: usize,
 }
@@ -78,13 +79,13 @@ impl Raster {
         let image = create_image(gpu, format, options.size)?;
         let view = image.create_view(&Default::default());
         let texels = wgpu_format(format);
-        let way = if method.is_tiles() {
-            Way::Tiles(Box::new(Tiles::new(gpu, blocks, inputs, texels, &view)?))
+        let kernels = if method.is_tiles() {
+            MethodKernels::Tiles(Box::new(Tiles::new(gpu, blocks, inputs, texels, &view)?))
         } else {
-            Way::Quads(Box::new(Quads::new(gpu, blocks, inputs, texels, options)?))
+            MethodKernels::Quads(Box::new(Quads::new(gpu, blocks, inputs, texels, options)?))
         };
         Ok(Self {
-            way,
+            method: kernels,
             format,
             image,
             view,
@@ -103,9 +104,9 @@ impl Raster {
             0.0
         };
         settings.counted = options.count.into();
-        match &self.way {
-            Way::Quads(_) => Saturation::fill(settings, options, capacity),
-            Way::Tiles(_) => {
+        match &self.method {
+            MethodKernels::Quads(_) => Saturation::fill(settings, options, capacity),
+            MethodKernels::Tiles(_) => {
                 settings.saturation = if options.skip.contains(Skip::SATURATED) {
                     settings.cutoff
                 } else {
@@ -134,9 +135,9 @@ impl Raster {
     /// The saturation depth of each sample of the last frame, for tests. None without the stage.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn samples(&self) -> Option<&wgpu::Texture> {
-        match &self.way {
-            Way::Quads(quads) => quads.saturation().map(Saturation::samples),
-            Way::Tiles(_) => None,
+        match &self.method {
+            MethodKernels::Quads(quads) => quads.saturation().map(Saturation::samples),
+            MethodKernels::Tiles(_) => None,
         }
     }
 
@@ -149,33 +150,33 @@ impl Raster {
 
     /// The method that it draws by.
     pub fn method(&self) -> RasterMethod {
-        match self.way {
-            Way::Quads(_) => RasterMethod::Quads,
-            Way::Tiles(_) => RasterMethod::SharedTiles,
+        match self.method {
+            MethodKernels::Quads(_) => RasterMethod::Quads,
+            MethodKernels::Tiles(_) => RasterMethod::SharedTiles,
         }
     }
 
     fn bins(&self) -> Option<&Bins> {
-        match &self.way {
-            Way::Quads(quads) => quads.saturation().map(Saturation::bins),
-            Way::Tiles(tiles) => Some(tiles.bins()),
+        match &self.method {
+            MethodKernels::Quads(quads) => quads.saturation().map(Saturation::bins),
+            MethodKernels::Tiles(tiles) => Some(tiles.bins()),
         }
     }
 
     /// Dispatches of a frame.
     pub fn dispatches(&self) -> u64 {
-        match self.way {
-            Way::Quads(_) => self.bins().map_or(0, |bins| bins.dispatches() + 1),
-            Way::Tiles(_) => 1 + self.bins().map_or(1, Bins::dispatches),
+        match self.method {
+            MethodKernels::Quads(_) => self.bins().map_or(0, |bins| bins.dispatches() + 1),
+            MethodKernels::Tiles(_) => 1 + self.bins().map_or(1, Bins::dispatches),
         }
     }
 
     /// Column and row of the first region that a frame draws into an image of a size, or has
     /// samples of.
     pub fn first_region(&self, damage: &Damage) -> [u32; 2] {
-        match &self.way {
-            Way::Quads(_) => damage.drawn_regions(SATURATION_REGION)[0],
-            Way::Tiles(_) => damage.regions(SHARED_REGION)[0],
+        match &self.method {
+            MethodKernels::Quads(_) => damage.drawn_regions(SATURATION_REGION)[0],
+            MethodKernels::Tiles(_) => damage.regions(SHARED_REGION)[0],
         }
     }
 
@@ -189,9 +190,11 @@ impl Raster {
     ) -> Result<()> {
         let image = create_image(gpu, self.format, size)?;
         let view = image.create_view(&Default::default());
-        match &mut self.way {
-            Way::Quads(quads) => quads.resize(gpu, blocks, inputs, size),
-            Way::Tiles(tiles) => tiles.set_image(gpu, blocks, inputs, Target::Image, &view),
+        match &mut self.method {
+            MethodKernels::Quads(quads) => quads.resize(gpu, blocks, inputs, size),
+            MethodKernels::Tiles(tiles) => {
+                tiles.set_image(gpu, blocks, inputs, RenderTarget::Image, &view)
+            }
         }
         self.image = image;
         self.view = view;
@@ -208,7 +211,7 @@ impl Raster {
         inputs: RasterInputs,
         size: [u32; 2],
     ) -> Result<()> {
-        let before = self.atlas.as_ref().map_or([0; 2], Atlas::size);
+        let before = self.atlas.as_ref().map_or([0; 2], AtlasImage::size);
         let grown = [0, 1].map(|axis| size[axis].next_multiple_of(ATLAS_STEP).max(before[axis]));
         if grown == before {
             return Ok(());
@@ -222,10 +225,10 @@ impl Raster {
             }
             None => Resolve::new(gpu, &view, wgpu_format(self.format), self.slots)?,
         };
-        if let Way::Tiles(tiles) = &mut self.way {
-            tiles.set_image(gpu, blocks, inputs, Target::Atlas, &view);
+        if let MethodKernels::Tiles(tiles) = &mut self.method {
+            tiles.set_image(gpu, blocks, inputs, RenderTarget::Atlas, &view);
         }
-        self.atlas = Some(Atlas {
+        self.atlas = Some(AtlasImage {
             image,
             view,
             resolve,
@@ -234,16 +237,16 @@ impl Raster {
     }
 
     /// Says where the slots of the next frame's atlas are, which must have been made.
-    pub fn write_slots(&self, gpu: &Gpu, slots: &[Slot]) {
+    pub fn write_slots(&self, gpu: &Gpu, slots: &[AtlasSlot]) {
         if let Some(atlas) = &self.atlas {
             atlas.resolve.write(gpu, slots);
         }
     }
 
     /// What a layer is drawn to.
-    fn target(&self, target: Target) -> &TextureView {
+    fn target(&self, target: RenderTarget) -> &TextureView {
         match (target, &self.atlas) {
-            (Target::Atlas, Some(atlas)) => &atlas.view,
+            (RenderTarget::Atlas, Some(atlas)) => &atlas.view,
             _ => &self.view,
         }
     }
@@ -263,7 +266,7 @@ impl Raster {
 
     /// Finds the saturation depth, if quads are tested against it.
     pub fn record_saturation(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
-        if let Way::Quads(quads) = &self.way
+        if let MethodKernels::Quads(quads) = &self.method
             && let Some(saturation) = quads.saturation()
         {
             saturation.record(pass, draw);
@@ -272,7 +275,7 @@ impl Raster {
 
     /// Blends the lists of the damage rectangle.
     pub fn record_tiles(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
-        if let Way::Tiles(tiles) = &self.way {
+        if let MethodKernels::Tiles(tiles) = &self.method {
             tiles.record(pass, draw);
         }
     }
@@ -287,7 +290,7 @@ impl Raster {
         tested: bool,
         writes: Writes,
     ) {
-        if let Way::Quads(quads) = &self.way {
+        if let MethodKernels::Quads(quads) = &self.method {
             let frame = QuadFrame {
                 image: self.target(draw.target),
                 draw,
@@ -304,7 +307,7 @@ impl Raster {
         in_flight: &FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
         draw: &Draw,
-        slots: &[Slot],
+        slots: &[AtlasSlot],
         clear: bool,
         writes: Writes,
     ) {
@@ -327,7 +330,7 @@ fn wgpu_format(format: ColorFormat) -> TextureFormat {
     }
 }
 
-fn create_image(gpu: &Gpu, format: ColorFormat, size: [u32; 2]) -> Result<Texture> {
+fn create_image(gpu: &Gpu, format: ColorFormat, size: [u32; 2]) -> Result<OwnedTexture> {
     let limit = gpu.device.limits().max_texture_dimension_2d;
     if size.iter().any(|&side| side == 0 || side > limit) {
         let found = format!("{} × {}", size[0], size[1]);

@@ -4,7 +4,7 @@ use super::{
     super::{
         buffer,
         device::Gpu,
-        drawing::{Drawing, depth_test},
+        drawing::{TrianglePipeline, depth_test},
         error::Result,
         frame_in_flight::{FrameInFlight, Writes},
         kernel::{Bindings, Blocks, Bound},
@@ -171,7 +171,7 @@ impl QuadPipeline {
             color: over(BlendFactor::SrcAlpha),
             alpha: over(BlendFactor::One),
         });
-        let drawing = Drawing {
+        let drawing = TrianglePipeline {
             label: "raster",
             bindings: &bindings,
             bound: &bound,

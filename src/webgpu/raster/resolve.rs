@@ -6,7 +6,7 @@ use super::{
     super::{
         buffer::empty,
         device::Gpu,
-        drawing::Drawing,
+        drawing::TrianglePipeline,
         error::Result,
         frame_in_flight::{FrameInFlight, Writes},
         kernel::{Bindings, Bound},
@@ -16,7 +16,7 @@ use super::{
 };
 use crate::wgsl;
 use bytemuck::{Pod, Zeroable, bytes_of};
-use effigy_core::frame::{Stage, atlas::Slot};
+use effigy_core::frame::{Stage, atlas::AtlasSlot};
 use wgpu::{
     BlendComponent, BlendFactor, BlendOperation, BlendState, BufferUsages, LoadOp, Operations,
     ShaderStages, StoreOp, TextureFormat, TextureView,
@@ -45,7 +45,7 @@ pub struct SlotsFrame<'a> {
     /// The draw of the frame's image.
     pub draw: &'a Draw<'a>,
     /// In the order in which they are blended.
-    pub slots: &'a [Slot],
+    pub slots: &'a [AtlasSlot],
     /// Whether the image holds nothing, and is cleared first.
     pub clear: bool,
 }
@@ -74,7 +74,7 @@ impl Resolve {
         let bound = bound(atlas, &slots);
         let bindings = Bindings::new(gpu, ShaderStages::FRAGMENT, &bound);
         let pipeline = |blend| {
-            let drawing = Drawing {
+            let drawing = TrianglePipeline {
                 label: Stage::Resolve.name(),
                 bindings: &bindings,
                 bound: &bound,
@@ -105,7 +105,7 @@ impl Resolve {
     }
 
     /// Says where the slots of the next frame are.
-    pub fn write(&self, gpu: &Gpu, slots: &[Slot]) {
+    pub fn write(&self, gpu: &Gpu, slots: &[AtlasSlot]) {
         for (index, slot) in slots.iter().enumerate() {
             let block = SlotBlock {
                 shown: slot.around.min.into(),

@@ -6,10 +6,10 @@
 use super::{
     super::{
         device::Gpu,
-        drawing::{DEPTH_FORMAT, Drawing, depth_test, texture},
+        drawing::{DEPTH_FORMAT, TrianglePipeline, depth_test, texture},
         error::Result,
         kernel::{Bindings, Blocks, Bound, Kernel},
-        owned::Texture,
+        owned::OwnedTexture,
     },
     bins::Bins,
     inputs::{Draw, RasterInputs},
@@ -29,9 +29,9 @@ const FORMAT: TextureFormat = TextureFormat::R32Uint;
 struct Images {
     /// Read back by tests, which are not run in browsers.
     #[cfg_attr(target_arch = "wasm32", expect(dead_code))]
-    samples: Texture,
+    samples: OwnedTexture,
     sampled: TextureView,
-    _depth: Texture,
+    _depth: OwnedTexture,
     depth: TextureView,
 }
 
@@ -59,7 +59,7 @@ impl Saturation {
         let kernel = Kernel::new(gpu, &wgsl::SATURATION, &bound);
         let bound = triangle_bindings(&images);
         let triangle = Bindings::new(gpu, ShaderStages::FRAGMENT, &bound);
-        let drawing = Drawing {
+        let drawing = TrianglePipeline {
             label: "saturation depth",
             bindings: &triangle,
             bound: &bound,

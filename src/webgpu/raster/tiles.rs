@@ -10,7 +10,7 @@ use super::{
     inputs::{Draw, RasterInputs},
 };
 use crate::wgsl;
-use effigy_core::{frame::passes::Target, layout::SHARED_REGION};
+use effigy_core::{frame::passes::RenderTarget, layout::SHARED_REGION};
 use wgpu::{TextureFormat, TextureView};
 
 pub struct Tiles {
@@ -49,7 +49,7 @@ impl Tiles {
         gpu: &Gpu,
         blocks: &Blocks,
         inputs: RasterInputs,
-        target: Target,
+        target: RenderTarget,
         image: &TextureView,
     ) {
         let image = Bound::FrameImage(image, self.format);
@@ -67,10 +67,10 @@ impl Tiles {
 }
 
 /// Which of the kernel's resources hold an image. The one that every renderer has comes first.
-fn turn(target: Target) -> usize {
+fn turn(target: RenderTarget) -> usize {
     match target {
-        Target::Image => 0,
-        Target::Atlas => 1,
+        RenderTarget::Image => 0,
+        RenderTarget::Atlas => 1,
     }
 }
 

@@ -5,8 +5,8 @@ use super::header::AvatarHeader;
 use super::sets;
 use super::tensors::Tensors;
 use crate::avatar::{
-    Bounds, Gaussians, Inputs, Layer, Level, Matrix, Networks, Rows, ShCoefficients, Skeleton,
-    Subspace,
+    Bounds, Gaussians, Inputs, Level, Matrix, NetworkLayer, Networks, Rows, ShCoefficients,
+    Skeleton, Subspace,
 };
 use half::f16;
 
@@ -129,7 +129,7 @@ impl AvatarHeader {
     /// The networks.
     pub fn networks(&self, tensors: &Tensors) -> Networks {
         let bytes = self.coded.contains(&Coded::Networks);
-        let layer = |k: usize| Layer {
+        let layer = |k: usize| NetworkLayer {
             input: self.widths[k],
             output: self.widths[k + 1],
             weight: matrix(

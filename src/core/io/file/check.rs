@@ -22,7 +22,7 @@ pub struct Bad {
 }
 
 /// An element type of a tensor.
-pub trait Element: Pod + PartialEq + std::fmt::Display {
+pub trait TensorElement: Pod + PartialEq + std::fmt::Display {
     const DTYPE: Dtype;
     fn to_f64(self) -> f64;
     /// Whether it is neither NaN nor infinite; by its bits, which is faster than by its value.
@@ -31,7 +31,7 @@ pub trait Element: Pod + PartialEq + std::fmt::Display {
 
 macro_rules! element {
     ($type:ty, $dtype:ident, $is_finite:expr) => {
-        impl Element for $type {
+        impl TensorElement for $type {
             const DTYPE: Dtype = Dtype::$dtype;
             fn to_f64(self) -> f64 {
                 f64::from(self)
@@ -57,7 +57,7 @@ fn values<T: Pod>(bytes: &[u8]) -> impl ExactSizeIterator<Item = T> {
 }
 
 /// Checks that every number passes `good`.
-fn each<T: Element>(
+fn each<T: TensorElement>(
     bytes: &[u8],
     good: impl Fn(T) -> bool,
     expected: impl Fn() -> String,
@@ -77,17 +77,17 @@ fn each<T: Element>(
 }
 
 /// Accepts any numbers.
-pub fn any<T: Element>(_: &[u8]) -> Result<(), Bad> {
+pub fn any<T: TensorElement>(_: &[u8]) -> Result<(), Bad> {
     Ok(())
 }
 
 /// Finite numbers.
-pub fn finite<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn finite<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     each(bytes, T::is_finite, || "finite numbers".into())
 }
 
 /// Lengths of at most [`limits::LENGTH`].
-pub fn length<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn length<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     each(
         bytes,
         |value: T| value.to_f64().abs() <= limits::LENGTH,
@@ -96,13 +96,13 @@ pub fn length<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
 }
 
 /// Finite numbers, at least 0.
-pub fn deviation<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn deviation<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     let good = |value: T| value.to_f64() >= 0.0 && value.to_f64().is_finite();
     each(bytes, good, || "finite numbers from 0 up".into())
 }
 
 /// Indices of something there are `count` of.
-pub fn below<T: Element>(bytes: &[u8], count: usize) -> Result<(), Bad> {
+pub fn below<T: TensorElement>(bytes: &[u8], count: usize) -> Result<(), Bad> {
     each(
         bytes,
         |value: T| value.to_f64() < count as f64,
@@ -111,7 +111,7 @@ pub fn below<T: Element>(bytes: &[u8], count: usize) -> Result<(), Bad> {
 }
 
 /// Finite quaternions of any length but 0.
-pub fn quaternion<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn quaternion<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     finite::<T>(bytes)?;
     let is_zero = |v: &T| *v == T::zeroed();
     match values::<[T; 4]>(bytes).position(|q| q.iter().all(is_zero)) {
@@ -125,7 +125,7 @@ pub fn quaternion<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
 }
 
 /// Rows of four weights that sum to 255.
-pub fn weights<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn weights<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     let sum = |row: [T; 4]| row.iter().map(|&v| v.to_f64()).sum::<f64>();
     match values(bytes)
         .map(sum)
@@ -142,7 +142,7 @@ pub fn weights<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
 }
 
 /// Rows of three weights that sum to at most 255.
-pub fn weights_but_one<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn weights_but_one<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     let sum = |row: [T; 3]| row.iter().map(|&v| v.to_f64()).sum::<f64>();
     match values(bytes)
         .map(sum)
@@ -159,7 +159,7 @@ pub fn weights_but_one<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
 }
 
 /// Codes of a [`Matrix`](crate::avatar::Matrix).
-pub fn code<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn code<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     each(
         bytes,
         |value: T| value.to_f64() >= -f64::from(CODE_MAX),
@@ -168,7 +168,7 @@ pub fn code<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
 }
 
 /// Steps of a [`Matrix`](crate::avatar::Matrix).
-pub fn step<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+pub fn step<T: TensorElement>(bytes: &[u8]) -> Result<(), Bad> {
     each(
         bytes,
         |value: T| (0.0..=STEP_MAX).contains(&value.to_f64()),
@@ -177,7 +177,7 @@ pub fn step<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
 }
 
 /// Numbers from 0 to `end` that never fall.
-pub fn starts<T: Element>(bytes: &[u8], end: usize) -> Result<(), Bad> {
+pub fn starts<T: TensorElement>(bytes: &[u8], end: usize) -> Result<(), Bad> {
     let last = values::<T>(bytes).len().saturating_sub(1);
     let mut before = 0.0;
     for (at, found) in values::<T>(bytes).enumerate() {
@@ -199,7 +199,7 @@ pub fn starts<T: Element>(bytes: &[u8], end: usize) -> Result<(), Bad> {
 }
 
 /// Strictly rising indices of something there are `count` of.
-pub fn rising<T: Element>(bytes: &[u8], count: usize) -> Result<(), Bad> {
+pub fn rising<T: TensorElement>(bytes: &[u8], count: usize) -> Result<(), Bad> {
     below::<T>(bytes, count)?;
     let mut before = -1.0;
     for (at, value) in values::<T>(bytes).enumerate() {
@@ -216,7 +216,7 @@ pub fn rising<T: Element>(bytes: &[u8], count: usize) -> Result<(), Bad> {
 }
 
 /// Rows of `len` numbers that are orthonormal.
-pub fn orthonormal<T: Element>(bytes: &[u8], len: usize) -> Result<(), Bad> {
+pub fn orthonormal<T: TensorElement>(bytes: &[u8], len: usize) -> Result<(), Bad> {
     finite::<T>(bytes)?;
     let row = |k: usize| values::<T>(&bytes[k * len * size_of::<T>()..][..len * size_of::<T>()]);
     let count = if len == 0 {

@@ -1,7 +1,7 @@
 //! Codes: numbers in fewer bits than version 1 of the format has. Files use them only where they
 //! are exact; [`crate::io::pack`] rounds avatars so that they are.
 
-use super::sets::GaussianSet;
+use super::sets::SetArrays;
 use crate::avatar::{Avatar, Gaussians, Matrix, ShCoefficients, harmonics::functions_of, limits};
 use crate::layout::compact::{LogScales, decode_quaternion, encode_quaternion};
 use bytemuck::Pod;
@@ -296,7 +296,7 @@ pub fn exact_harmonics(avatar: &Avatar) -> Option<HarmonicCodes> {
     [HarmonicCodes::COARSE, HarmonicCodes::FINE]
         .into_iter()
         .find(|codes| {
-            GaussianSet::all(avatar).all(|set| {
+            SetArrays::all(avatar).all(|set| {
                 set.sh.is_some_and(|sh| codes.is_exact(&sh.coefficients))
                     && codes.is_exact(&set.gaussians.color)
             })
@@ -304,7 +304,7 @@ pub fn exact_harmonics(avatar: &Avatar) -> Option<HarmonicCodes> {
 }
 
 /// Colours of the Gaussians that have a basis row of colour, which codes would round.
-pub fn row_colors(set: GaussianSet) -> Vec<[f16; 3]> {
+pub fn row_colors(set: SetArrays) -> Vec<[f16; 3]> {
     set.color_rows
         .gaussian
         .iter()
@@ -325,7 +325,7 @@ pub fn joint_weights(gaussians: &Gaussians) -> Vec<[u8; 3]> {
 /// The arrays that codes represent exactly in every set of Gaussians. Bases and networks are
 /// included where they are bytes.
 pub fn exact_codes(avatar: &Avatar) -> Vec<Coded> {
-    let all = |exact: fn(GaussianSet) -> bool| GaussianSet::all(avatar).all(exact);
+    let all = |exact: fn(SetArrays) -> bool| SetArrays::all(avatar).all(exact);
     let neutral = [
         (Coded::Rotation, all(has_coded_rotations)),
         (Coded::Color, all(has_coded_colors)),
@@ -338,12 +338,12 @@ pub fn exact_codes(avatar: &Avatar) -> Vec<Coded> {
         .collect()
 }
 
-fn has_coded_rotations(set: GaussianSet) -> bool {
+fn has_coded_rotations(set: SetArrays) -> bool {
     let mut rotations = set.gaussians.rotation.iter();
     rotations.all(|&q| rotation(encode_quaternion(q.map(f64::from)).0) == q)
 }
 
-fn has_coded_colors(set: GaussianSet) -> bool {
+fn has_coded_colors(set: SetArrays) -> bool {
     let has_row = |gaussian: usize| {
         let rows = &set.color_rows.gaussian;
         rows.binary_search(&(gaussian as u32)).is_ok()
@@ -352,7 +352,7 @@ fn has_coded_colors(set: GaussianSet) -> bool {
     colors.all(|(at, c)| has_row(at) || c.iter().all(|&c| color(color_code(c)) == c))
 }
 
-fn has_coded_weights(set: GaussianSet) -> bool {
+fn has_coded_weights(set: SetArrays) -> bool {
     let mut weights = set.gaussians.joint_weight.iter();
     weights.all(|w| w.iter().map(|&w| u32::from(w)).sum::<u32>() == 255)
 }
@@ -360,13 +360,13 @@ fn has_coded_weights(set: GaussianSet) -> bool {
 /// The encodings of log scales of each set, of as many bits as few that are exact in all of them;
 /// None if no encoding is.
 pub fn exact_log_scales(avatar: &Avatar) -> Option<Vec<LogScaleCodes>> {
-    let candidates: Vec<[LogScaleCodes; 2]> = GaussianSet::all(avatar)
+    let candidates: Vec<[LogScaleCodes; 2]> = SetArrays::all(avatar)
         .map(|set| LogScaleCodes::candidates(set.gaussians))
         .collect();
     let of_kind =
         |kind: usize| -> Vec<LogScaleCodes> { candidates.iter().map(|both| both[kind]).collect() };
     [of_kind(1), of_kind(0)].into_iter().find(|all| {
-        GaussianSet::all(avatar).zip(all).all(|(set, codes)| {
+        SetArrays::all(avatar).zip(all).all(|(set, codes)| {
             let mut log_scales = set.gaussians.log_scale.iter().flatten();
             log_scales.all(|&s| codes.decode(codes.encode(s)) == s)
         })

@@ -2,25 +2,25 @@
 //! [`super::encode`] writes them.
 
 use super::check::Bad;
-use super::deflate::Order;
-use super::deflate::{self, EXPANSION, EXPANSION_FREE, Kind};
-use super::document::{Document, METADATA_KEY, TensorRow};
+use super::deflate::ByteArrangement;
+use super::deflate::{self, EXPANSION, EXPANSION_FREE, NumberLayout};
+use super::document::{HeaderDocument, METADATA_KEY, TensorRow};
 use super::error::{FormatError, excerpt};
 use super::tensors::{TensorInfo, Tensors};
 use safetensors::Dtype;
 
 /// A tensor that a document requires.
-struct Required<'d, D: Document> {
+struct Required<'d, D: HeaderDocument> {
     row: &'d TensorRow<D, D::Model>,
     /// Which of the row's tensors it is.
     index: usize,
     name: String,
     shape: Vec<usize>,
     /// How its bytes are arranged; None where they are not deflated.
-    order: Option<Order>,
+    order: Option<ByteArrangement>,
 }
 
-impl<D: Document> Required<'_, D> {
+impl<D: HeaderDocument> Required<'_, D> {
     fn fault(&self, found: impl ToString, expected: impl ToString) -> FormatError {
         FormatError::Tensor {
             tensor: self.name.clone(),
@@ -42,7 +42,7 @@ impl<D: Document> Required<'_, D> {
             .try_fold(width(self.row.dtype), |bytes, &n| bytes.checked_mul(n))
     }
 
-    fn kind(&self) -> Kind {
+    fn kind(&self) -> NumberLayout {
         kind(self.row.dtype, &self.shape)
     }
 
@@ -66,15 +66,15 @@ pub fn width(dtype: Dtype) -> usize {
 }
 
 /// How a tensor's bytes divide into numbers and rows.
-pub fn kind(dtype: Dtype, shape: &[usize]) -> Kind {
-    Kind {
+pub fn kind(dtype: Dtype, shape: &[usize]) -> NumberLayout {
+    NumberLayout {
         width: width(dtype),
         columns: shape.iter().skip(1).product(),
     }
 }
 
 /// All tensors that a document requires.
-fn required<D: Document>(document: &D) -> impl Iterator<Item = Required<'static, D>> {
+fn required<D: HeaderDocument>(document: &D) -> impl Iterator<Item = Required<'static, D>> {
     let rows = D::TENSORS
         .iter()
         .flat_map(|row| (0..(row.count)(document)).map(move |k| (row, k)));
@@ -105,7 +105,7 @@ struct Container<'a> {
 
 impl Container<'_> {
     /// Parses and checks the document in the header.
-    fn document<D: Document>(&self) -> Result<D, FormatError> {
+    fn document<D: HeaderDocument>(&self) -> Result<D, FormatError> {
         let (tag, text) = tag(&self.tensors)?;
         if tag.format != D::FORMAT {
             return Err(FormatError::metadata(
@@ -134,7 +134,7 @@ impl Container<'_> {
 
     /// Checks every tensor that the document requires against its row in the table, and expands
     /// those that are deflated.
-    fn check<D: Document>(&mut self, document: &D) -> Result<(), FormatError> {
+    fn check<D: HeaderDocument>(&mut self, document: &D) -> Result<(), FormatError> {
         let all: Vec<Required<D>> = required(document).collect();
         for tensor in &all {
             self.check_shape(tensor)?;
@@ -164,7 +164,7 @@ impl Container<'_> {
     }
 
     /// Checks that the file has a tensor, with its type, its shape and all its bytes.
-    fn check_shape<D: Document>(&self, tensor: &Required<D>) -> Result<(), FormatError> {
+    fn check_shape<D: HeaderDocument>(&self, tensor: &Required<D>) -> Result<(), FormatError> {
         let (dtype, shape) = match tensor.order {
             Some(_) => (Dtype::U8, vec![self.tensors.place(&tensor.name).len()]),
             None => (tensor.row.dtype, tensor.shape.clone()),
@@ -193,7 +193,7 @@ impl Container<'_> {
     }
 
     /// Checks that deflated tensors stay within [`EXPANSION`] before any of them is expanded.
-    fn check_expansion<D: Document>(&self, all: &[Required<D>]) -> Result<(), FormatError> {
+    fn check_expansion<D: HeaderDocument>(&self, all: &[Required<D>]) -> Result<(), FormatError> {
         let deflated = || all.iter().filter(|tensor| tensor.order.is_some());
         let length = deflated()
             .try_fold(0usize, |sum, tensor| sum.checked_add(tensor.bytes()?))
@@ -211,7 +211,7 @@ impl Container<'_> {
     }
 
     /// The document and the model of a file.
-    fn decode<D: Document>(mut self) -> Result<D::Model, FormatError> {
+    fn decode<D: HeaderDocument>(mut self) -> Result<D::Model, FormatError> {
         let mut document: D = self.document()?;
         if self.shortened {
             document.shorten();
@@ -264,14 +264,14 @@ fn coordinates(index: usize, shape: &[usize]) -> Vec<usize> {
 }
 
 /// Whether a file says that it is of a kind.
-pub fn has_format<D: Document>(bytes: &[u8]) -> Result<bool, FormatError> {
+pub fn has_format<D: HeaderDocument>(bytes: &[u8]) -> Result<bool, FormatError> {
     let tensors = Tensors::open(bytes)?;
     let (tag, _) = tag(&tensors)?;
     Ok(tag.format == D::FORMAT)
 }
 
 /// Decodes the model in a file's bytes.
-pub fn decode<D: Document>(bytes: &[u8]) -> Result<D::Model, FormatError> {
+pub fn decode<D: HeaderDocument>(bytes: &[u8]) -> Result<D::Model, FormatError> {
     let container = Container {
         tensors: Tensors::open(bytes)?,
         zeroed: |_| false,
@@ -282,7 +282,7 @@ pub fn decode<D: Document>(bytes: &[u8]) -> Result<D::Model, FormatError> {
 
 /// Decodes the model in a file's beginning, with a shortened document. Tensors that `zeroed` names are replaced by zeros; all
 /// others must be there.
-pub fn decode_beginning<D: Document>(
+pub fn decode_beginning<D: HeaderDocument>(
     bytes: &[u8],
     zeroed: fn(&str) -> bool,
 ) -> Result<D::Model, FormatError> {
@@ -295,7 +295,7 @@ pub fn decode_beginning<D: Document>(
 }
 
 /// Checks a model's arrays as those of its plain file would be: their lengths and their numbers.
-pub fn check_arrays<D: Document>(document: &D, model: &D::Model) -> Result<(), FormatError> {
+pub fn check_arrays<D: HeaderDocument>(document: &D, model: &D::Model) -> Result<(), FormatError> {
     for row in D::TENSORS {
         for k in 0..(row.count)(document) {
             let tensor: Required<D> = Required {
@@ -317,7 +317,7 @@ pub fn check_arrays<D: Document>(document: &D, model: &D::Model) -> Result<(), F
 }
 
 /// Lists the tensors of a file of a kind.
-pub fn list<D: Document>(bytes: &[u8]) -> Result<Vec<TensorInfo>, FormatError> {
+pub fn list<D: HeaderDocument>(bytes: &[u8]) -> Result<Vec<TensorInfo>, FormatError> {
     let mut container = Container {
         tensors: Tensors::open(bytes)?,
         zeroed: |_| false,
@@ -331,7 +331,7 @@ pub fn list<D: Document>(bytes: &[u8]) -> Result<Vec<TensorInfo>, FormatError> {
 }
 
 /// Lists the tensors of a model's plain file.
-pub fn list_plain<D: Document>(model: &D::Model) -> Vec<TensorInfo> {
+pub fn list_plain<D: HeaderDocument>(model: &D::Model) -> Vec<TensorInfo> {
     required(&D::from_model(model))
         .map(|tensor| tensor.info(tensor.bytes().unwrap_or_default()))
         .collect()

@@ -13,17 +13,17 @@ pub const EXPANSION_FREE: usize = 64 << 10;
 /// How a tensor's bytes are arranged before they are deflated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Order {
+pub enum ByteArrangement {
     /// The first byte of every number, then the second of every number, and so on.
     Planes,
-    /// [`Order::Planes`] of differences: from each integer its predecessor in the row before is
+    /// [`ByteArrangement::Planes`] of differences: from each integer its predecessor in the row before is
     /// subtracted, with wrapping, and columns follow each other.
     Deltas,
 }
 
 /// How a tensor's bytes divide into numbers and rows.
 #[derive(Clone, Copy, Debug)]
-pub struct Kind {
+pub struct NumberLayout {
     /// Bytes of a number: 1, 2 or 4.
     pub width: usize,
     /// Numbers of a row.
@@ -45,14 +45,14 @@ fn put(value: u32, bytes: &mut [u8]) {
 }
 
 /// Whether a tensor is whole rows of numbers.
-fn is_whole(length: usize, kind: Kind) -> bool {
+fn is_whole(length: usize, kind: NumberLayout) -> bool {
     (1..=4).contains(&kind.width)
         && kind.columns > 0
         && length.is_multiple_of(kind.width * kind.columns)
 }
 
 /// Arranges bytes for compression.
-fn arrange(bytes: &[u8], kind: Kind, order: Order) -> Vec<u8> {
+fn arrange(bytes: &[u8], kind: NumberLayout, order: ByteArrangement) -> Vec<u8> {
     let width = kind.width;
     let numbers = bytes.len() / width;
     let mut out = vec![0; bytes.len()];
@@ -60,12 +60,12 @@ fn arrange(bytes: &[u8], kind: Kind, order: Order) -> Vec<u8> {
     for at in 0..numbers {
         let value = &bytes[at * width..][..width];
         match order {
-            Order::Planes => {
+            ByteArrangement::Planes => {
                 for k in 0..width {
                     out[k * numbers + at] = value[k];
                 }
             }
-            Order::Deltas => {
+            ByteArrangement::Deltas => {
                 let before = if at < kind.columns {
                     0
                 } else {
@@ -83,20 +83,20 @@ fn arrange(bytes: &[u8], kind: Kind, order: Order) -> Vec<u8> {
 }
 
 /// Undoes [`arrange`].
-fn restore(arranged: &[u8], kind: Kind, order: Order) -> Vec<u8> {
+fn restore(arranged: &[u8], kind: NumberLayout, order: ByteArrangement) -> Vec<u8> {
     let width = kind.width;
     let numbers = arranged.len() / width;
     let mut out = vec![0; arranged.len()];
     let rows = numbers / kind.columns;
     match order {
-        Order::Planes => {
+        ByteArrangement::Planes => {
             for (k, plane) in arranged.chunks_exact(numbers.max(1)).enumerate() {
                 for (at, &byte) in plane.iter().enumerate() {
                     out[at * width + k] = byte;
                 }
             }
         }
-        Order::Deltas => {
+        ByteArrangement::Deltas => {
             for column in 0..kind.columns {
                 let mut value = 0u32;
                 for row in 0..rows {
@@ -118,7 +118,11 @@ fn restore(arranged: &[u8], kind: Kind, order: Order) -> Vec<u8> {
 
 /// The shortest deflated form of a tensor's bytes, and their arrangement in it. None if no form is
 /// shorter than the bytes.
-pub fn pack(bytes: &[u8], kind: Kind, orders: &[Order]) -> Option<(Order, Vec<u8>)> {
+pub fn pack(
+    bytes: &[u8],
+    kind: NumberLayout,
+    orders: &[ByteArrangement],
+) -> Option<(ByteArrangement, Vec<u8>)> {
     if !is_whole(bytes.len(), kind) {
         return None;
     }
@@ -143,7 +147,12 @@ fn deflate(bytes: &[u8]) -> Option<Vec<u8>> {
 ///
 /// # Errors
 /// What was found instead, in words.
-pub fn unpack(packed: &[u8], length: usize, kind: Kind, order: Order) -> Result<Vec<u8>, String> {
+pub fn unpack(
+    packed: &[u8],
+    length: usize,
+    kind: NumberLayout,
+    order: ByteArrangement,
+) -> Result<Vec<u8>, String> {
     if !is_whole(length, kind) {
         return Err(format!(
             "{} deflated bytes of an empty tensor",
@@ -175,14 +184,14 @@ pub fn unpack(packed: &[u8], length: usize, kind: Kind, order: Order) -> Result<
 mod tests {
     use super::*;
 
-    const ORDERS: [Order; 2] = [Order::Planes, Order::Deltas];
+    const ORDERS: [ByteArrangement; 2] = [ByteArrangement::Planes, ByteArrangement::Deltas];
 
     #[test]
     fn packed_bytes_come_back() {
         let bytes: Vec<u8> = (0..4800u32).map(|k| (k / 300 + k % 4 * 5) as u8).collect();
         for width in [1, 2, 4] {
             for columns in [1, 3, 50] {
-                let kind = Kind { width, columns };
+                let kind = NumberLayout { width, columns };
                 for order in ORDERS {
                     assert_eq!(
                         restore(&arrange(&bytes, kind, order), kind, order),
@@ -206,7 +215,7 @@ mod tests {
             .collect();
         let (order, packed) = pack(
             &rising,
-            Kind {
+            NumberLayout {
                 width: 4,
                 columns: 1,
             },
@@ -214,7 +223,7 @@ mod tests {
         )
         .expect("it is regular");
         assert!(
-            order == Order::Deltas && packed.len() < 100,
+            order == ByteArrangement::Deltas && packed.len() < 100,
             "{order:?}: {} bytes",
             packed.len()
         );
@@ -235,7 +244,7 @@ mod tests {
         assert_eq!(
             pack(
                 &noise,
-                Kind {
+                NumberLayout {
                     width: 1,
                     columns: 3
                 },
@@ -246,7 +255,7 @@ mod tests {
         assert_eq!(
             pack(
                 &[],
-                Kind {
+                NumberLayout {
                     width: 1,
                     columns: 0
                 },
@@ -258,11 +267,11 @@ mod tests {
             unpack(
                 &[1],
                 0,
-                Kind {
+                NumberLayout {
                     width: 4,
                     columns: 0
                 },
-                Order::Deltas
+                ByteArrangement::Deltas
             )
             .is_err()
         );
@@ -271,7 +280,7 @@ mod tests {
     #[test]
     fn damaged_short_and_long_streams_are_told_apart() {
         let bytes = [7u8; 400];
-        let kind = Kind {
+        let kind = NumberLayout {
             width: 2,
             columns: 1,
         };

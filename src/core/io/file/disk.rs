@@ -59,7 +59,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 /// When the file cannot be written, or `path` is no name of it but what a program has open, as
 /// `/dev/stderr`. A file that was at `path` is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let Some(mut part) = Part::beside(path)? else {
+    let Some(mut part) = PartialFile::beside(path)? else {
         return fs::write(path, bytes);
     };
     part.file.write_all(bytes)?;
@@ -78,7 +78,7 @@ pub fn check_writable(path: &Path) -> io::Result<()> {
     if path.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
     }
-    Part::beside(path).map(drop)
+    PartialFile::beside(path).map(drop)
 }
 
 /// Links that lead to links, at most.
@@ -125,7 +125,7 @@ pub fn place(path: &Path) -> io::Result<PathBuf> {
 
 /// A file that is being written, beside the one that it is to replace. It is removed unless that is
 /// done.
-struct Part {
+struct PartialFile {
     path: PathBuf,
     /// Locked while it is written, so that what nobody writes any more can be told.
     file: File,
@@ -133,7 +133,7 @@ struct Part {
     is_over: bool,
 }
 
-impl Part {
+impl PartialFile {
     /// None where there is something that is no file, and can only be written to.
     fn beside(path: &Path) -> io::Result<Option<Self>> {
         let found = fs::metadata(path).ok();
@@ -197,7 +197,7 @@ impl Part {
     }
 }
 
-impl Drop for Part {
+impl Drop for PartialFile {
     fn drop(&mut self) {
         if !self.is_over {
             // A failed removal is not reported: the user must see the first failure.
@@ -347,7 +347,7 @@ mod tests {
         write_whole(&path, b"whole").unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "whole");
         assert_eq!(names(folder.path()), 1);
-        let other = Part::beside(&path).unwrap().unwrap();
+        let other = PartialFile::beside(&path).unwrap().unwrap();
         write_whole(&path, b"beside").unwrap();
         assert!(part.exists() && names(folder.path()) == 2);
         drop(other);

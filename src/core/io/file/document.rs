@@ -1,7 +1,7 @@
 //! The kinds of files: what a document and a table of tensors must provide.
 
 use super::check::Bad;
-use super::deflate::Order;
+use super::deflate::ByteArrangement;
 use super::error::FormatError;
 use super::sets;
 use super::tensors::Tensors;
@@ -13,7 +13,7 @@ use std::{borrow::Cow, collections::BTreeMap};
 pub const METADATA_KEY: &str = "effigy";
 
 /// A kind of file: the document in its header, which decides which tensors the file has.
-pub trait Document: Serialize + DeserializeOwned + 'static {
+pub trait HeaderDocument: Serialize + DeserializeOwned + 'static {
     /// The type that a file of this kind is read into.
     type Model;
     /// `format` in the document.
@@ -25,11 +25,11 @@ pub trait Document: Serialize + DeserializeOwned + 'static {
     /// The document of a model that is stored without further coding.
     fn from_model(model: &Self::Model) -> Self;
     /// The tensors that are deflated, and how their bytes are arranged.
-    fn deflated(&self) -> Option<&BTreeMap<String, Order>> {
+    fn deflated(&self) -> Option<&BTreeMap<String, ByteArrangement>> {
         None
     }
     /// Records the tensors that are deflated.
-    fn set_deflated(&mut self, _: BTreeMap<String, Order>) {}
+    fn set_deflated(&mut self, _: BTreeMap<String, ByteArrangement>) {}
     /// Leaves out what no reader of a file's beginning needs.
     fn shorten(&mut self) {}
     /// Checks the document itself; the tensors' shapes follow from it.

@@ -1,9 +1,9 @@
 //! Encoding of models into a file's bytes.
 
 use super::container::{decode, kind, width};
-use super::deflate::Order;
+use super::deflate::ByteArrangement;
 use super::deflate::{self, EXPANSION, EXPANSION_FREE};
-use super::document::{Document, METADATA_KEY};
+use super::document::{HeaderDocument, METADATA_KEY};
 use super::error::FormatError;
 use super::order;
 use safetensors::{Dtype, tensor::TensorView};
@@ -25,7 +25,7 @@ struct EncodedTensor<'m> {
 ///
 /// # Errors
 /// When the document breaks a rule, or the file would not read back as the model.
-pub fn encode<D: Document>(
+pub fn encode<D: HeaderDocument>(
     model: &D::Model,
     mut document: D,
     deflated: bool,
@@ -88,15 +88,18 @@ where
 
 /// The arrangements that may help: differences of codes or of floating-point numbers' bits have no
 /// structure.
-fn useful(dtype: Dtype) -> &'static [Order] {
+fn useful(dtype: Dtype) -> &'static [ByteArrangement] {
     match dtype {
-        Dtype::U8 | Dtype::U16 | Dtype::U32 => &[Order::Planes, Order::Deltas],
-        _ => &[Order::Planes],
+        Dtype::U8 | Dtype::U16 | Dtype::U32 => &[ByteArrangement::Planes, ByteArrangement::Deltas],
+        _ => &[ByteArrangement::Planes],
     }
 }
 
 /// Serializes a document and its tensors.
-fn write<D: Document>(document: &D, stored: &[EncodedTensor]) -> Result<Vec<u8>, FormatError> {
+fn write<D: HeaderDocument>(
+    document: &D,
+    stored: &[EncodedTensor],
+) -> Result<Vec<u8>, FormatError> {
     let mut views = Vec::new();
     for tensor in stored {
         let view = TensorView::new(tensor.dtype, tensor.shape.clone(), &tensor.bytes);

@@ -12,7 +12,7 @@
 //! Version 2 of an avatar file is version 1 with some numbers in fewer bits, which `coded` and
 //! `log_scales` name and the tables below have as alternatives of one name, and with some tensors
 //! deflated, which `deflated` names: such a tensor is of type U8, in the file of one dimension, and
-//! holds a zlib stream of its bytes, arranged as [`Order`] says. All tensors together are at most
+//! holds a zlib stream of its bytes, arranged as [`ByteArrangement`] says. All tensors together are at most
 //! `EXPANSION` times as long as what the file has of them.
 //!
 //! Version 3 is version 2 with a `filter`, the low-pass that the avatar was learned with, in which a
@@ -24,15 +24,15 @@
 //! Symbols: N_g `gaussians`, N_G `parts`, N_s `nodes`, N_B `basis` (a multiple of 4), J the number
 //! of `joints`, F `frames`.
 
-use super::check::{self, Element};
+use super::check::{self, TensorElement};
 use super::coding::{self, StoredBytes, codes, halves, steps};
 use super::document::TensorRow;
-use super::sets::GaussianSet;
+use super::sets::SetArrays;
 use crate::avatar::{Avatar, Clip, Subspace};
 use half::f16;
 
 pub use super::coding::{Coded, HarmonicCodes, LogScaleCodes};
-pub use super::deflate::Order;
+pub use super::deflate::ByteArrangement;
 pub use super::document::METADATA_KEY;
 pub use super::header::{AvatarHeader, ClipHeader, HarmonicsHeader, LevelHeader};
 
@@ -67,7 +67,7 @@ macro_rules! table {
      $($count:expr => { $($name:literal: $type:ty [$($dim:expr),*] $rule:ident($($limit:expr),*) = $data:expr, $what:literal;)* })*) => {
         &[$($(TensorRow {
             name: $name,
-            dtype: <$type as Element>::DTYPE,
+            dtype: <$type as TensorElement>::DTYPE,
             count: |$h: &$header| { let _ = $h; $count },
             shape: |$h: &$header, $k: usize| { let _ = ($h, $k); vec![$($dim),*] },
             rule: |$h: &$header, $k: usize, bytes: &[u8]| { let _ = ($h, $k); check::$rule::<$type>(bytes $(, $limit)*) },
@@ -78,8 +78,8 @@ macro_rules! table {
 }
 
 /// A set of an avatar's Gaussians.
-fn set(avatar: &Avatar, set: usize) -> GaussianSet<'_> {
-    GaussianSet::new(avatar, set)
+fn set(avatar: &Avatar, set: usize) -> SetArrays<'_> {
+    SetArrays::new(avatar, set)
 }
 
 /// The tensors of an avatar file. Those whose names begin with `@` are of the avatar itself, under

@@ -1,7 +1,7 @@
 //! The documents in the files' headers.
 
 use super::coding::{Coded, HarmonicCodes, LogScaleCodes};
-use super::deflate::Order;
+use super::deflate::ByteArrangement;
 use crate::avatar::{Activation, Filter, LevelError, harmonics::functions_of};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -69,7 +69,7 @@ pub struct AvatarHeader {
     pub log_scales: Option<LogScaleCodes>,
     /// The tensors that are deflated, and how their bytes are arranged; none in version 1.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub deflated: BTreeMap<String, Order>,
+    pub deflated: BTreeMap<String, ByteArrangement>,
     /// The low-pass that the avatar was learned with; absent where that is [`Filter::DEFAULT`], and
     /// in versions 1 and 2.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -3,7 +3,7 @@
 use super::{
     container,
     disk::{read_with, write_encoded},
-    document::Document,
+    document::HeaderDocument,
     encode,
     error::{FileError, FormatError},
     header::{AvatarHeader, ClipHeader},
@@ -333,29 +333,31 @@ mod tests {
         assert!(sh.contains("`sh` found 5 coefficients"), "{sh}");
     }
 
+    /// A level of every other Gaussian.
+    fn every_other(avatar: &Avatar) -> Level {
+        let keep: Vec<usize> = (0..avatar.gaussians.len()).step_by(2).collect();
+        Level {
+            gaussians: avatar.gaussians.pick(&keep),
+            part_start: avatar.parts.start.iter().map(|s| s.div_ceil(2)).collect(),
+            correctives: true,
+            rotation_rows: Rows::default(),
+            scale_rows: Rows::default(),
+            color_rows: Rows::default(),
+            sh: None,
+            measured: [1, 2]
+                .map(|samples| LevelError {
+                    height: 60.0,
+                    samples,
+                    psnr_db: 30.0,
+                    color: 0.01,
+                    coverage: 0.0,
+                })
+                .into(),
+        }
+    }
+
     #[test]
     fn check_refuses_levels_that_do_not_match_their_avatar() {
-        let every_other = |avatar: &Avatar| {
-            let keep: Vec<usize> = (0..avatar.gaussians.len()).step_by(2).collect();
-            Level {
-                gaussians: avatar.gaussians.pick(&keep),
-                part_start: avatar.parts.start.iter().map(|s| s.div_ceil(2)).collect(),
-                correctives: true,
-                rotation_rows: Rows::default(),
-                scale_rows: Rows::default(),
-                color_rows: Rows::default(),
-                sh: None,
-                measured: [1, 2]
-                    .map(|samples| LevelError {
-                        height: 60.0,
-                        samples,
-                        psnr_db: 30.0,
-                        color: 0.01,
-                        coverage: 0.0,
-                    })
-                    .into(),
-            }
-        };
         let level_fault = |break_it: &dyn Fn(&mut Level)| {
             fault(|avatar| {
                 let mut level = every_other(avatar);

@@ -3,7 +3,7 @@
 
 use super::{
     container::decode_beginning, error::FormatError, header::AvatarHeader, sets::LEVEL_PREFIX,
-    tensors::Header,
+    tensors::HeaderProgress,
 };
 use crate::avatar::Avatar;
 use safetensors::tensor::{Metadata, TensorInfo, TensorView};
@@ -91,18 +91,18 @@ fn neutral_end(metadata: &Metadata, start: usize) -> usize {
 /// How many bytes of a file are needed before the neutral avatar can be drawn, as far as its first
 /// bytes tell.
 pub fn needs(bytes: &[u8]) -> Result<usize, FormatError> {
-    Ok(match Header::parse(bytes)? {
-        Header::Complete { metadata, start } => neutral_end(&metadata, start),
-        Header::NeedsBytes(needed) => needed,
+    Ok(match HeaderProgress::parse(bytes)? {
+        HeaderProgress::Complete { metadata, start } => neutral_end(&metadata, start),
+        HeaderProgress::NeedsBytes(needed) => needed,
     })
 }
 
 /// The avatar in the first bytes of a file that is `length` bytes long, with zeros for its
 /// correctives and spherical harmonics, and without levels.
 pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, FormatError> {
-    let (metadata, start) = match Header::parse(bytes)? {
-        Header::Complete { metadata, start } => (metadata, start),
-        Header::NeedsBytes(needed) => return Ok(Neutral::Needs(needed)),
+    let (metadata, start) = match HeaderProgress::parse(bytes)? {
+        HeaderProgress::Complete { metadata, start } => (metadata, start),
+        HeaderProgress::NeedsBytes(needed) => return Ok(Neutral::Needs(needed)),
     };
     if start.checked_add(metadata.data_len()) != Some(length) {
         let found = format!(

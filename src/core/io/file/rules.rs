@@ -2,8 +2,8 @@
 
 use super::arrays::{basis, rows};
 use super::coding::{self, Coded, HarmonicCodes, LogScaleCodes};
-use super::deflate::Order;
-use super::document::{Document, TensorRow};
+use super::deflate::ByteArrangement;
+use super::document::{HeaderDocument, TensorRow};
 use super::error::{FormatError, excerpt};
 use super::format::{
     AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_FILTER, VERSION_PACKED,
@@ -415,7 +415,7 @@ fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
     Ok(())
 }
 
-impl Document for AvatarHeader {
+impl HeaderDocument for AvatarHeader {
     type Model = Avatar;
     const FORMAT: &'static str = AVATAR_FORMAT;
     const VERSIONS: [u64; 2] = [VERSION, VERSION_SPLATS];
@@ -473,11 +473,11 @@ impl Document for AvatarHeader {
         }
     }
 
-    fn deflated(&self) -> Option<&BTreeMap<String, Order>> {
+    fn deflated(&self) -> Option<&BTreeMap<String, ByteArrangement>> {
         Some(&self.deflated)
     }
 
-    fn set_deflated(&mut self, deflated: BTreeMap<String, Order>) {
+    fn set_deflated(&mut self, deflated: BTreeMap<String, ByteArrangement>) {
         self.version = self.version.max(VERSION_PACKED);
         self.deflated = deflated;
     }
@@ -525,7 +525,7 @@ impl Document for AvatarHeader {
     }
 }
 
-impl Document for ClipHeader {
+impl HeaderDocument for ClipHeader {
     type Model = Clip;
     const FORMAT: &'static str = MOTION_FORMAT;
     const VERSIONS: [u64; 2] = [VERSION; 2];

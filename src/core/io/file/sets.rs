@@ -16,7 +16,7 @@ pub fn prefix(set: usize) -> String {
 
 /// A set's arrays.
 #[derive(Clone, Copy)]
-pub struct GaussianSet<'a> {
+pub struct SetArrays<'a> {
     /// The Gaussians.
     pub gaussians: &'a Gaussians,
     /// Their nodes; none where no node moves them.
@@ -33,7 +33,7 @@ pub struct GaussianSet<'a> {
     pub sh: Option<&'a ShCoefficients>,
 }
 
-impl<'a> GaussianSet<'a> {
+impl<'a> SetArrays<'a> {
     /// A set of an avatar.
     ///
     /// # Panics

@@ -1,6 +1,6 @@
 //! The tensors of an opened file.
 
-use super::deflate::Order;
+use super::deflate::ByteArrangement;
 use super::error::{FormatError, excerpt};
 use safetensors::tensor::Metadata;
 use std::{collections::HashMap, ops::Range};
@@ -13,7 +13,7 @@ compile_error!("the files are little-endian, and so must the host be");
 pub const HEADER_MAX: usize = 256 << 10;
 
 /// How much of a file's header some first bytes hold.
-pub enum Header {
+pub enum HeaderProgress {
     /// All of it.
     Complete {
         metadata: Metadata,
@@ -24,7 +24,7 @@ pub enum Header {
     NeedsBytes(usize),
 }
 
-impl Header {
+impl HeaderProgress {
     /// Parses the header at the beginning of a file.
     ///
     /// # Errors
@@ -88,13 +88,13 @@ impl<'a> Tensors<'a> {
     /// # Errors
     /// When the header is broken or not complete.
     pub fn open_beginning(bytes: &'a [u8]) -> Result<Self, FormatError> {
-        match Header::parse(bytes)? {
-            Header::Complete { metadata, start } => Ok(Self {
+        match HeaderProgress::parse(bytes)? {
+            HeaderProgress::Complete { metadata, start } => Ok(Self {
                 metadata,
                 data: &bytes[start..],
                 expanded: HashMap::new(),
             }),
-            Header::NeedsBytes(needed) => Err(match bytes.len().checked_sub(8) {
+            HeaderProgress::NeedsBytes(needed) => Err(match bytes.len().checked_sub(8) {
                 None => {
                     FormatError::container(format!("a file of {} bytes", bytes.len()), "at least 8")
                 }
@@ -147,7 +147,7 @@ pub struct TensorInfo {
     /// Bytes that it takes in the file.
     pub stored: usize,
     /// How its bytes are arranged; None where they are not deflated.
-    pub deflated: Option<Order>,
+    pub deflated: Option<ByteArrangement>,
     /// Meaning of the numbers.
     pub what: &'static str,
 }

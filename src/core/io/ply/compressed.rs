@@ -12,7 +12,7 @@
 
 use super::{
     header::PlyHeader,
-    table::{Column, Table},
+    table::{Column, ElementTable},
 };
 use crate::{
     avatar::{Filter, ShCoefficients},
@@ -34,12 +34,12 @@ pub fn is_compressed(header: &PlyHeader) -> bool {
 
 /// The smallest and largest numbers of a chunk, from code 0 to the highest.
 #[derive(Clone, Copy)]
-struct Range {
+struct CodeRange {
     min: [f32; 3],
     max: [f32; 3],
 }
 
-impl Range {
+impl CodeRange {
     const UNIT: Self = Self {
         min: [0.0; 3],
         max: [1.0; 3],
@@ -51,10 +51,10 @@ impl Range {
 }
 
 /// The ranges of a chunk.
-struct Chunk {
-    position: Range,
-    scale: Range,
-    color: Range,
+struct ChunkRanges {
+    position: CodeRange,
+    scale: CodeRange,
+    color: CodeRange,
 }
 
 /// Reads the splats. Opacities of code 0 and 255 have infinite logits.
@@ -62,7 +62,7 @@ struct Chunk {
 /// # Errors
 /// When an element or property is missing, or the elements' lengths do not fit each other.
 pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Found, FormatError> {
-    let vertices = Table::new(bytes, header, &header.vertices)?;
+    let vertices = ElementTable::new(bytes, header, &header.vertices)?;
     let count = vertices.len();
     let chunks = header
         .chunks
@@ -74,7 +74,7 @@ pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Found, FormatErr
             format!("one for each {CHUNK}"),
         ));
     }
-    let chunks = read_chunks(&Table::new(bytes, header, chunks)?)?;
+    let chunks = read_chunks(&ElementTable::new(bytes, header, chunks)?)?;
     let [position, rotation, scale, color] = [
         packed(&vertices, "packed_position")?,
         packed(&vertices, "packed_rotation")?,
@@ -115,7 +115,7 @@ pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Found, FormatErr
     })
 }
 
-fn read_chunks(rows: &Table) -> Result<Vec<Chunk>, FormatError> {
+fn read_chunks(rows: &ElementTable) -> Result<Vec<ChunkRanges>, FormatError> {
     let range = |names: [&str; 3]| {
         let ends = ["min", "max"].map(|end| {
             let [a, b, c] = names.map(|name| rows.column(&format!("{end}_{name}")));
@@ -124,7 +124,7 @@ fn read_chunks(rows: &Table) -> Result<Vec<Chunk>, FormatError> {
         let [min, max] = [ends[0]?, ends[1]?];
         let (min, max) = (rows.all(min), rows.all(max));
         let ranges = min.into_iter().zip(max);
-        Some(ranges.map(|(min, max)| Range { min, max }).collect())
+        Some(ranges.map(|(min, max)| CodeRange { min, max }).collect())
     };
     let missing = || {
         FormatError::container(
@@ -132,12 +132,12 @@ fn read_chunks(rows: &Table) -> Result<Vec<Chunk>, FormatError> {
             "min_x to max_z and min_scale_x to max_scale_z",
         )
     };
-    let position: Vec<Range> = range(["x", "y", "z"]).ok_or_else(missing)?;
-    let scale: Vec<Range> = range(["scale_x", "scale_y", "scale_z"]).ok_or_else(missing)?;
-    let color = range(["r", "g", "b"]).unwrap_or_else(|| vec![Range::UNIT; rows.len()]);
+    let position: Vec<CodeRange> = range(["x", "y", "z"]).ok_or_else(missing)?;
+    let scale: Vec<CodeRange> = range(["scale_x", "scale_y", "scale_z"]).ok_or_else(missing)?;
+    let color = range(["r", "g", "b"]).unwrap_or_else(|| vec![CodeRange::UNIT; rows.len()]);
     let chunks = position.into_iter().zip(scale).zip(color);
     Ok(chunks
-        .map(|((position, scale), color)| Chunk {
+        .map(|((position, scale), color)| ChunkRanges {
             position,
             scale,
             color,
@@ -146,7 +146,7 @@ fn read_chunks(rows: &Table) -> Result<Vec<Chunk>, FormatError> {
 }
 
 /// A property whose numbers are codes of 32 bits.
-fn packed(vertices: &Table, name: &str) -> Result<Column, FormatError> {
+fn packed(vertices: &ElementTable, name: &str) -> Result<Column, FormatError> {
     vertices.column(name).ok_or_else(|| {
         FormatError::container(
             format!("no `{name}` among the properties"),
@@ -186,23 +186,19 @@ fn logit(byte: u32) -> f32 {
 }
 
 /// Spherical harmonics above degree 0, a row each.
-struct Harmonics {
+struct ShRows {
     degree: usize,
     rows: Vec<[f32; 3]>,
 }
 
-fn read_harmonics(
-    bytes: &[u8],
-    header: &PlyHeader,
-    count: usize,
-) -> Result<Harmonics, FormatError> {
+fn read_harmonics(bytes: &[u8], header: &PlyHeader, count: usize) -> Result<ShRows, FormatError> {
     let Some(element) = &header.harmonics else {
-        return Ok(Harmonics {
+        return Ok(ShRows {
             degree: 0,
             rows: vec![],
         });
     };
-    let rows = Table::new(bytes, header, element)?;
+    let rows = ElementTable::new(bytes, header, element)?;
     let properties = rows.numbered("f_rest_");
     let degree = (1..=3).find(|&degree| 3 * functions_of(degree) == properties);
     let columns: Option<Vec<Column>> = (0..properties)
@@ -231,7 +227,7 @@ fn read_harmonics(
                 .map(|k| [0, 1, 2].map(|channel| value(vertex, columns[channel * functions + k]))),
         );
     }
-    Ok(Harmonics {
+    Ok(ShRows {
         degree,
         rows: values,
     })

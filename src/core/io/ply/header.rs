@@ -82,9 +82,44 @@ struct ElementHeader {
     row: usize,
 }
 
+impl ElementHeader {
+    /// The list that leaves its length unknown. In text, where each entry is a line, only the
+    /// vertices must have no list.
+    fn unsized_list(&self, text: bool) -> Option<&str> {
+        self.list
+            .as_deref()
+            .filter(|_| self.name == "vertex" || !text)
+    }
+
+    /// Bytes, or lines of text. None if there are more than a u64 holds.
+    fn length(&self, text: bool) -> Option<u64> {
+        if text {
+            Some(self.count)
+        } else {
+            self.count.checked_mul(self.row as u64)
+        }
+    }
+
+    /// Where its entries are, and what they consist of; takes the properties.
+    fn take_layout(&mut self, text: bool, before: u64) -> ElementLayout {
+        let mut properties = std::mem::take(&mut self.properties);
+        if text {
+            for (index, property) in properties.iter_mut().enumerate() {
+                property.offset = index;
+            }
+        }
+        ElementLayout {
+            count: self.count,
+            properties,
+            row: self.row,
+            before,
+        }
+    }
+}
+
 /// Where a file has an element's entries, and what they consist of.
 #[derive(Clone, Debug)]
-pub struct Element {
+pub struct ElementLayout {
     /// Number of entries.
     pub count: u64,
     pub properties: Vec<Property>,
@@ -102,20 +137,20 @@ pub struct PlyHeader {
     pub end: usize,
     /// The axis that points up, if a comment names it.
     pub up: Option<Up>,
-    pub vertices: Element,
+    pub vertices: ElementLayout,
     /// Ranges of a compressed file's numbers: the element `chunk`.
-    pub chunks: Option<Element>,
+    pub chunks: Option<ElementLayout>,
     /// Spherical harmonics of a compressed file: the element `sh`.
-    pub harmonics: Option<Element>,
+    pub harmonics: Option<ElementLayout>,
 }
 
 /// The lines of a header.
-struct Lines<'a> {
+struct HeaderLines<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> HeaderLines<'a> {
     /// The next line, without its end. Bytes of comments that are no text are replaced.
     fn next_line(&mut self) -> Result<Cow<'a, str>, FormatError> {
         let rest = &self.bytes[self.at..self.bytes.len().min(HEADER_MAX)];
@@ -148,7 +183,7 @@ impl<'a> Lines<'a> {
 /// When the file does not start with a `.ply` header, or the header does not tell where the
 /// vertices are.
 pub fn parse(bytes: &[u8]) -> Result<PlyHeader, FormatError> {
-    let mut lines = Lines { bytes, at: 0 };
+    let mut lines = HeaderLines { bytes, at: 0 };
     if !matches!(bytes, [b'p', b'l', b'y', b'\r' | b'\n', ..]) {
         return Err(FormatError::container(
             "a file that does not start with `ply`",
@@ -260,12 +295,8 @@ fn places(
     let text = encoding == Encoding::Ascii;
     let mut before = 0u64;
     let [mut vertices, mut chunks, mut harmonics] = [None, None, None];
-    for element in elements {
-        let list = element
-            .list
-            .as_deref()
-            .filter(|_| element.name == "vertex" || !text);
-        if let Some(list) = list {
+    for mut element in elements {
+        if let Some(list) = element.unsized_list(text) {
             // Nothing behind a list of unknown length can be found.
             if vertices.is_some() {
                 break;
@@ -280,45 +311,24 @@ fn places(
                 "elements of plain numbers up to the vertices, as 3DGS writes them",
             ));
         }
-        let ElementHeader {
-            name,
-            count,
-            mut properties,
-            row,
-            ..
-        } = element;
-        if text {
-            for (index, property) in properties.iter_mut().enumerate() {
-                property.offset = index;
-            }
-        }
-        let place = match name.as_str() {
+        let after = element
+            .length(text)
+            .and_then(|length| length.checked_add(before));
+        let place = match element.name.as_str() {
             "vertex" => Some(&mut vertices),
             "chunk" => Some(&mut chunks),
             "sh" => Some(&mut harmonics),
             _ => None,
         };
-        if let Some(place) = place
-            && place.is_none()
-        {
-            *place = Some(Element {
-                count,
-                properties,
-                row,
-                before,
-            });
+        if let Some(place) = place {
+            place.get_or_insert_with(|| element.take_layout(text, before));
         }
-        let size = if text {
-            Some(count)
-        } else {
-            count.checked_mul(row as u64)
-        };
-        match size.and_then(|size| size.checked_add(before)) {
+        match after {
             Some(after) => before = after,
             None if vertices.is_some() => break,
             None => {
                 return Err(FormatError::container(
-                    format!("{count} of `{}`", excerpt(&name)),
+                    format!("{} of `{}`", element.count, excerpt(&element.name)),
                     "a number that a file can hold",
                 ));
             }

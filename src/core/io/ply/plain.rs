@@ -2,7 +2,7 @@
 
 use super::{
     header::Scalar,
-    table::{Column, Table},
+    table::{Column, ElementTable},
 };
 use crate::{
     avatar::{Filter, ShCoefficients},
@@ -20,7 +20,7 @@ const EXPECTED: &str =
     "x y z, scale_0 to scale_2, rot_0 to rot_3, opacity and f_dc_0 to f_dc_2, as 3DGS writes them";
 
 /// The properties of a Gaussian.
-struct Columns {
+struct GaussianColumns {
     position: [Column; 3],
     /// w x y z
     rotation: [Column; 4],
@@ -44,7 +44,7 @@ enum Color {
 }
 
 /// A property that every Gaussian has.
-fn need(rows: &Table, name: &str) -> Result<Column, FormatError> {
+fn need(rows: &ElementTable, name: &str) -> Result<Column, FormatError> {
     rows.column(name).ok_or_else(|| {
         let has = |name: &&str| rows.has(name);
         let is_mesh = !["opacity", "scale_0", "rot_0", "f_dc_0"].iter().any(has);
@@ -60,8 +60,8 @@ fn need(rows: &Table, name: &str) -> Result<Column, FormatError> {
     })
 }
 
-impl Columns {
-    fn new(rows: &Table) -> Result<Self, FormatError> {
+impl GaussianColumns {
+    fn new(rows: &ElementTable) -> Result<Self, FormatError> {
         let column = |name: &str| need(rows, name);
         let count = rows.numbered("f_rest_");
         let degree = (0..=3).find(|&degree| 3 * functions_of(degree) == count);
@@ -96,7 +96,7 @@ impl Columns {
         })
     }
 
-    fn position(&self, rows: &Table, assumptions: &mut Vec<Assumption>) -> Vec<[f32; 3]> {
+    fn position(&self, rows: &ElementTable, assumptions: &mut Vec<Assumption>) -> Vec<[f32; 3]> {
         // f32 has no place for centimetres that far out.
         let exact = |vertex| self.position.map(|column| rows.value(vertex, column));
         match far_middle(rows.len(), exact) {
@@ -112,7 +112,7 @@ impl Columns {
         }
     }
 
-    fn log_scale(&self, rows: &Table, assumptions: &mut Vec<Assumption>) -> Vec<[f32; 3]> {
+    fn log_scale(&self, rows: &ElementTable, assumptions: &mut Vec<Assumption>) -> Vec<[f32; 3]> {
         let mut shape = |taken: &str, columns: &str| {
             assumptions.push(Assumption {
                 what: "shape",
@@ -136,7 +136,7 @@ impl Columns {
 }
 
 impl Color {
-    fn find(rows: &Table) -> Result<Self, FormatError> {
+    fn find(rows: &ElementTable) -> Result<Self, FormatError> {
         for names in [["red", "green", "blue"], ["r", "g", "b"]] {
             let has = |name: &&str| rows.has(name);
             if !rows.has("f_dc_0") && names.iter().all(has) {
@@ -156,7 +156,11 @@ impl Color {
         ]))
     }
 
-    fn coefficients(&self, rows: &Table, assumptions: &mut Vec<Assumption>) -> Vec<[f32; 3]> {
+    fn coefficients(
+        &self,
+        rows: &ElementTable,
+        assumptions: &mut Vec<Assumption>,
+    ) -> Vec<[f32; 3]> {
         let columns = match *self {
             Self::Coefficients(columns) => return rows.all(columns),
             Self::Plain(columns) => columns,
@@ -191,7 +195,7 @@ fn most_of(numbers: &[f32]) -> f32 {
 
 /// Blurs Gaussians by balls, so that each keeps its mass: variances add up, and opacities fall as
 /// the volume grows.
-fn fuse(splats: &mut Splats, rows: &Table, filter: Column, scales: usize) {
+fn fuse(splats: &mut Splats, rows: &ElementTable, filter: Column, scales: usize) {
     // A ball has one scale for all of its axes.
     let axes = if scales == 2 { 2 } else { 3 };
     for k in 0..splats.len() {
@@ -215,8 +219,8 @@ fn fuse(splats: &mut Splats, rows: &Table, filter: Column, scales: usize) {
 ///
 /// # Errors
 /// When a property is missing.
-pub fn read(rows: &Table, up: Up) -> Result<Found, FormatError> {
-    let columns = Columns::new(rows)?;
+pub fn read(rows: &ElementTable, up: Up) -> Result<Found, FormatError> {
+    let columns = GaussianColumns::new(rows)?;
     let vertices = 0..rows.len();
     let mut harmonics = Vec::with_capacity(columns.rest.len() * rows.len());
     for vertex in vertices.clone() {

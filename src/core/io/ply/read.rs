@@ -1,6 +1,6 @@
 //! Reading of a `.ply`.
 
-use super::{compressed, header, plain, table::Table};
+use super::{compressed, header, plain, table::ElementTable};
 use crate::{
     avatar::Avatar,
     io::{
@@ -61,7 +61,7 @@ pub fn read(bytes: &[u8]) -> Result<Found, FormatError> {
     let mut found = if compressed::is_compressed(&header) {
         compressed::read(bytes, &header, up)
     } else {
-        plain::read(&Table::new(bytes, &header, &header.vertices)?, up)
+        plain::read(&ElementTable::new(bytes, &header, &header.vertices)?, up)
     }?;
     if header.up.is_none() {
         found.assumptions.push(Up::assumed());

@@ -1,6 +1,6 @@
 //! The numbers of an element of a `.ply` file.
 
-use super::header::{Element, Encoding, PlyHeader, Property, Scalar};
+use super::header::{ElementLayout, Encoding, PlyHeader, Property, Scalar};
 use crate::io::{
     assumption::Assumption,
     file::{FormatError, excerpt},
@@ -24,7 +24,7 @@ pub struct Column {
 }
 
 /// The entries of an element, from which any property of any entry can be read.
-pub struct Table<'a> {
+pub struct ElementTable<'a> {
     bytes: Cow<'a, [u8]>,
     row: usize,
     encoding: Encoding,
@@ -35,7 +35,7 @@ pub struct Table<'a> {
     count: usize,
 }
 
-impl<'a> Table<'a> {
+impl<'a> ElementTable<'a> {
     /// Finds an element's entries after the header. Text is converted to f32, positions to f64, which
     /// takes at most three times the file's size.
     ///
@@ -44,7 +44,7 @@ impl<'a> Table<'a> {
     pub fn new(
         bytes: &'a [u8],
         header: &PlyHeader,
-        element: &Element,
+        element: &ElementLayout,
     ) -> Result<Self, FormatError> {
         let encoding = header.encoding;
         let mut properties = element.properties.clone();

@@ -3,7 +3,7 @@
 
 use super::{
     Splats,
-    cells::{Cells, Place},
+    cells::{CellPosition, Cells},
     functions_of,
 };
 use crate::each;
@@ -49,9 +49,9 @@ impl Splats {
     fn gaussians(&self) -> (Gaussians, Nodes, Option<ShCoefficients>) {
         let count = self.len();
         let cells = Cells::new(self);
-        let mut order: Vec<Ordered> = each::map(count, |k| {
+        let mut order: Vec<CurvePlace> = each::map(count, |k| {
             let place = cells.place(self.position[k]);
-            Ordered {
+            CurvePlace {
                 cell: morton(place.cell()),
                 code: morton(place.code),
                 splat: k as u32,
@@ -109,11 +109,11 @@ impl Splats {
 }
 
 /// A Gaussian's place on the curve, first that of its cell, and its index in the file.
-struct Ordered {
+struct CurvePlace {
     cell: u64,
     code: u64,
     splat: u32,
-    place: Place,
+    place: CellPosition,
 }
 
 /// Nodes that displace what follows them, and that nothing moves.

@@ -37,7 +37,7 @@ impl Splats {
             let deviation = DVec3::from(self.log_scale[k].map(|s| f64::from(s).exp()));
             let own = DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize());
             let (q, deviation) = principal_axes(matrix * own * DMat3::from_diagonal(deviation));
-            Axes {
+            PrincipalAxes {
                 rotation: [q.w, q.x, q.y, q.z].map(|v| v as f32),
                 log_scale: deviation.to_array().map(|s| s.ln() as f32),
             }
@@ -56,7 +56,7 @@ impl Splats {
 }
 
 /// A Gaussian's shape.
-struct Axes {
+struct PrincipalAxes {
     rotation: [f32; 4],
     log_scale: [f32; 3],
 }

@@ -35,14 +35,14 @@ pub struct Cells {
 }
 
 /// Where a splat is stored.
-pub struct Place {
+pub struct CellPosition {
     /// Displacement of the box, metres.
     pub offset: [f16; 3],
     /// Coordinates in the box.
     pub code: [u16; 3],
 }
 
-impl Place {
+impl CellPosition {
     /// The displacement as numbers that rise with it.
     pub fn cell(&self) -> [u16; 3] {
         self.offset.map(|offset| {
@@ -107,7 +107,7 @@ impl Cells {
     }
 
     /// Where a splat at a position is stored.
-    pub fn place(&self, position: [f32; 3]) -> Place {
+    pub fn place(&self, position: [f32; 3]) -> CellPosition {
         let position = point(position);
         let offset = match self.side {
             None => [f16::ZERO; 3],
@@ -123,7 +123,7 @@ impl Cells {
                 f16::from_f64(offset.clamp(-limits::LENGTH, limits::LENGTH) + 0.0)
             }),
         };
-        Place {
+        CellPosition {
             offset,
             code: self
                 .bounds

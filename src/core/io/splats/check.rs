@@ -7,14 +7,14 @@ use std::fmt;
 
 /// A rule that a splat breaks.
 #[derive(Clone, Copy, Debug)]
-enum Fault {
+enum SplatFault {
     NotFinite { what: &'static str, value: f32 },
     Far(Vec3),
     NoRotation,
 }
 
 /// What was found.
-impl fmt::Display for Fault {
+impl fmt::Display for SplatFault {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::NotFinite { what, value } => write!(f, "{value} in the {what}"),
@@ -24,7 +24,7 @@ impl fmt::Display for Fault {
     }
 }
 
-impl Fault {
+impl SplatFault {
     fn expected(self) -> String {
         match self {
             Self::NotFinite { .. } => "finite numbers".into(),
@@ -38,7 +38,7 @@ impl Fault {
 }
 
 /// Splats that were left out.
-pub struct LeftOut {
+pub struct SplatsLeftOut {
     /// How many.
     pub count: usize,
     /// Index of the first of them.
@@ -69,7 +69,7 @@ impl Splats {
     ///
     /// # Errors
     /// When none is left, there are too many, or columns differ in length.
-    pub fn leave_out_bad(&mut self) -> Result<Option<LeftOut>, FormatError> {
+    pub fn leave_out_bad(&mut self) -> Result<Option<SplatsLeftOut>, FormatError> {
         self.check_lengths()?;
         let count = self.len();
         let good: Vec<bool> = (0..count).map(|k| self.fault(k).is_none()).collect();
@@ -91,7 +91,7 @@ impl Splats {
         keep(&mut self.opacity, &good, 1);
         keep(&mut self.color, &good, 1);
         keep(&mut self.harmonics, &good, width);
-        Ok(Some(LeftOut {
+        Ok(Some(SplatsLeftOut {
             count: bad,
             first,
             why: fault.to_string(),
@@ -122,22 +122,22 @@ impl Splats {
     }
 
     /// The first rule that a splat breaks.
-    fn fault(&self, k: usize) -> Option<Fault> {
+    fn fault(&self, k: usize) -> Option<SplatFault> {
         let position = Vec3::from(self.position[k]);
         let far = || {
             let is_far = f64::from(position.abs().max_element()) > limits::LENGTH;
-            is_far.then_some(Fault::Far(position))
+            is_far.then_some(SplatFault::Far(position))
         };
         let no_rotation = || {
             let is_none = self.rotation[k].iter().all(|v| *v == 0.0);
-            is_none.then_some(Fault::NoRotation)
+            is_none.then_some(SplatFault::NoRotation)
         };
         // A deviation of 0 and an opacity of exactly 0 or 1 are infinite.
         let shape = || {
             let scales = self.log_scale[k].iter();
             let scale = scales.copied().find(|s| s.is_nan() || *s == f32::INFINITY);
             let opacity = Some(self.opacity[k]).filter(|opacity| opacity.is_nan());
-            let fault = |what, value| Fault::NotFinite { what, value };
+            let fault = |what, value| SplatFault::NotFinite { what, value };
             let scale = scale.map(|value| fault("scale", value));
             scale.or(opacity.map(|value| fault("opacity", value)))
         };
@@ -177,7 +177,7 @@ pub fn check_count(count: u64) -> Result<(), FormatError> {
 }
 
 /// The first NaN or infinity. `what`: the numbers' name in errors.
-fn not_finite(values: &[f32], what: &'static str) -> Option<Fault> {
+fn not_finite(values: &[f32], what: &'static str) -> Option<SplatFault> {
     let bad = values.iter().find(|value| !value.is_finite());
-    bad.map(|&value| Fault::NotFinite { what, value })
+    bad.map(|&value| SplatFault::NotFinite { what, value })
 }

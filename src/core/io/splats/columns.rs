@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 
 /// What is not an array.
 #[derive(Serialize, Deserialize)]
-struct Document {
+struct ColumnsHeader {
     name: String,
     /// Axis-angle rotation of the canonical pose, radians.
     canonical: [f32; 3],
@@ -34,7 +34,7 @@ struct Document {
 /// The bytes of an avatar that [`Splats::to_avatar`](super::Splats::to_avatar) has made.
 pub fn to_columns(avatar: &Avatar) -> Vec<u8> {
     let gaussians = &avatar.gaussians;
-    let document = serde_json::json!(Document {
+    let document = serde_json::json!(ColumnsHeader {
         name: avatar.name.clone(),
         canonical: avatar
             .skeleton
@@ -75,7 +75,7 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
     let (length, rest) = bytes.split_first_chunk::<8>().ok_or_else(other)?;
     let length = usize::try_from(u64::from_le_bytes(*length)).map_err(|_| other())?;
     let (document, rest) = rest.split_at_checked(length).ok_or_else(other)?;
-    let document: Document = serde_json::from_slice(document).map_err(|_| other())?;
+    let document: ColumnsHeader = serde_json::from_slice(document).map_err(|_| other())?;
     let count = document.gaussians;
     let allowed = (1..=limits::GAUSSIANS).contains(&count)
         && (1..=limits::NODES).contains(&document.nodes)
@@ -84,7 +84,7 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
         return Err(other());
     }
     let [min, max] = document.bounds;
-    let mut columns = Columns { rest };
+    let mut columns = ColumnReader { rest };
     let mut gaussians = Gaussians {
         bounds: Bounds { min, max },
         position: columns.take(count).ok_or_else(other)?,
@@ -115,11 +115,11 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
 }
 
 /// Arrays that follow each other.
-struct Columns<'a> {
+struct ColumnReader<'a> {
     rest: &'a [u8],
 }
 
-impl Columns<'_> {
+impl ColumnReader<'_> {
     /// The next array; None: it is cut off.
     fn take<T: NoUninit + AnyBitPattern>(&mut self, count: usize) -> Option<Vec<T>> {
         let (bytes, rest) = self.rest.split_at_checked(count * size_of::<T>())?;

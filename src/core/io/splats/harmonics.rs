@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 /// What a rotation does to the coefficients of degree 1 to 3: row i has what each old coefficient
 /// adds to new coefficient i; 0 between degrees.
-type Turn = [[f64; 15]; 15];
+type ShRotation = [[f64; 15]; 15];
 
 /// Zeros and weights of the Legendre polynomial of degree 4, for exact integrals of polynomials of
 /// degree 7 over −1 to 1.
@@ -23,7 +23,7 @@ const MERIDIANS: usize = 8;
 
 /// The coefficients' rotation: the function of new coefficients at R d is the old one at d. Its
 /// entries are integrals of products of two harmonics, which the quadrature gives exactly.
-fn turn(rotation: DQuat) -> Turn {
+fn turn(rotation: DQuat) -> ShRotation {
     let mut turn = [[0.0; 15]; 15];
     for [z, weight] in LEGENDRE {
         let radius = (1.0 - z * z).sqrt();
@@ -87,7 +87,7 @@ impl Splats {
         }
     }
 
-    fn turn_harmonics(&mut self, turn: &Turn) {
+    fn turn_harmonics(&mut self, turn: &ShRotation) {
         for row in self.harmonics.chunks_exact_mut(functions_of(self.degree)) {
             let mut old = [[0.0; 3]; 15];
             for (old, new) in old.iter_mut().zip(row.iter()) {

@@ -7,7 +7,7 @@
 
 use super::rounding::F32;
 use effigy_core::{
-    avatar::{Activation, Avatar, Layer, Rows, matrix::Row},
+    avatar::{Activation, Avatar, NetworkLayer, Rows, matrix::Row},
     constants::{FEATURE_MAX, LEAKY_SLOPE},
     scene::Posed,
 };
@@ -91,7 +91,7 @@ impl Forms {
     }
 
     /// A layer of one part: clamped, and activated unless it is the last.
-    fn layer(&self, layer: &Layer, part: usize, activation: Option<Activation>) -> Self {
+    fn layer(&self, layer: &NetworkLayer, part: usize, activation: Option<Activation>) -> Self {
         let largest = self.largest();
         let errors = self.errors();
         let slope = match activation {

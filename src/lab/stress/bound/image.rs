@@ -2,7 +2,7 @@
 
 use super::{
     features,
-    pixel::{Layer, Ordered, PixelBound},
+    pixel::{OrderedSplats, PixelBound, PixelLayer},
     rounding::{F32, Rounding},
     splats::{self, SplatInput, UncertainSplat},
 };
@@ -10,8 +10,8 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     constants::saturation_light,
     frame::{
-        DEPTH_KEYS, FrameState, PlanInput, RendererOptions, Skip, atlas::Slot,
-        pose_cache::PoseCache, room::Room, schedule::SATURATION_PIXELS,
+        DEPTH_KEYS, FrameState, PlanInput, RendererOptions, Skip, atlas::AtlasSlot,
+        capacity::Capacity, pose_cache::PoseCache, schedule::SATURATION_PIXELS,
     },
     reference,
     scene::{AvatarBounds, Camera, FrameImage, PartDependencies, PartSet, PixelRect, Posed},
@@ -35,7 +35,7 @@ const TIGHT: f64 = 0.05;
 
 /// A frame to bound.
 #[derive(Clone, Copy)]
-pub struct Scene<'a> {
+pub struct BoundScene<'a> {
     /// The avatar as the file has it.
     pub avatar: &'a Avatar,
     /// Its pose, in its place.
@@ -48,7 +48,7 @@ pub struct Scene<'a> {
     pub cached_by: Option<&'a Camera>,
 }
 
-impl Scene<'_> {
+impl BoundScene<'_> {
     /// The low-pass that is drawn with.
     pub fn filter(&self) -> Filter {
         self.options.filter.unwrap_or(self.avatar.filter)
@@ -90,8 +90,8 @@ impl BoundUse {
 
 impl ImageBound {
     /// The bound of a frame.
-    pub fn new(scene: &Scene, rounding: &Rounding) -> Self {
-        let Scene {
+    pub fn new(scene: &BoundScene, rounding: &Rounding) -> Self {
+        let BoundScene {
             avatar,
             posed,
             camera,
@@ -106,7 +106,7 @@ impl ImageBound {
             bounds: &bounds,
             dependencies: &dependencies,
             options,
-            room: Room::unlimited(1),
+            capacity: Capacity::unlimited(1),
             always_submit: true,
         });
         // One avatar has one layer: the image, or an atlas that is averaged into it.
@@ -167,7 +167,13 @@ impl ImageBound {
 
     /// The bound of an image of a size whose pixels are means over this one, an atlas with a single
     /// slot. Beyond `drawn` a device may leave the image empty.
-    fn averaged(&self, slot: &Slot, size: [u32; 2], drawn: PixelRect, rounding: &Rounding) -> Self {
+    fn averaged(
+        &self,
+        slot: &AtlasSlot,
+        size: [u32; 2],
+        drawn: PixelRect,
+        rounding: &Rounding,
+    ) -> Self {
         let mean = |of: fn(&PixelBound) -> [f64; 4]| {
             let atlas = FrameImage {
                 size: self.size,
@@ -250,7 +256,7 @@ impl ImageBound {
         drawn: PixelRect,
         tested: bool,
     ) -> Self {
-        let ordered = Ordered::new(splats, DEPTH_KEYS.largest());
+        let ordered = OrderedSplats::new(splats, DEPTH_KEYS.largest());
         let width = size[0] as usize;
         let mut pixels = vec![PixelBound::default(); width * size[1] as usize];
         // Two rows of pixels share a row of samples of the saturation depth.
@@ -354,13 +360,13 @@ fn contains(rect: PixelRect, pixel: [usize; 2]) -> bool {
 /// The largest key at which each sample of a row of samples may be saturated. `layers`: of each
 /// pixel of the rows that the samples stand for, two or at the image's end one.
 fn saturated_keys(
-    ordered: &Ordered,
-    layers: &[Vec<Layer>],
+    ordered: &OrderedSplats,
+    layers: &[Vec<PixelLayer>],
     width: usize,
     threshold: f64,
 ) -> Vec<f64> {
     let key = |sample: usize| {
-        let around: Vec<&[Layer]> = layers
+        let around: Vec<&[PixelLayer]> = layers
             .chunks(width)
             .flat_map(|row| &row[2 * sample..(2 * sample + 2).min(width)])
             .map(Vec::as_slice)
@@ -372,7 +378,7 @@ fn saturated_keys(
 
 /// Appends the layers at each pixel of a row, nearest first. Beyond `drawn` a device may leave out
 /// splats that stray. `all`: as many as the row has pixels.
-fn find_layers(ordered: &Ordered, row: usize, drawn: PixelRect, all: &mut [Vec<Layer>]) {
+fn find_layers(ordered: &OrderedSplats, row: usize, drawn: PixelRect, all: &mut [Vec<PixelLayer>]) {
     let y = row as f64 + 0.5;
     for (rank, splat) in ordered.splats.iter().enumerate() {
         if (y - splat.center.y).abs() > splat.reach.y {
@@ -387,7 +393,7 @@ fn find_layers(ordered: &Ordered, row: usize, drawn: PixelRect, all: &mut [Vec<L
                 if splat.strays && !contains(drawn, [x, row]) {
                     alpha.low = 0.0;
                 }
-                layers.push(Layer {
+                layers.push(PixelLayer {
                     rank: rank as u32,
                     alpha,
                 });

@@ -11,5 +11,5 @@ mod pixel;
 mod rounding;
 mod splats;
 
-pub use image::{BoundUse, ImageBound, Scene};
+pub use image::{BoundScene, BoundUse, ImageBound};
 pub use rounding::Rounding;

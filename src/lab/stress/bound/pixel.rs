@@ -26,7 +26,7 @@ const FIVE_BITS: f64 = 0.5 / 31.0;
 
 /// A splat at a pixel.
 #[derive(Clone, Copy, Debug)]
-pub struct Layer {
+pub struct PixelLayer {
     /// Its place among all splats, nearest first.
     pub rank: u32,
     pub alpha: Alpha,
@@ -40,15 +40,32 @@ pub struct PixelBound {
     pub above: [f64; 4],
 }
 
+impl PixelBound {
+    /// Step 5: sums over so many layers, and the image's format.
+    fn round(&mut self, layers: usize, rounding: &Rounding) {
+        let sums = 4.0 * F32 * (layers as f64 + 4.0);
+        for channel in 0..4 {
+            let value = self.value[channel];
+            let stored = if rounding.quads() {
+                0.0
+            } else {
+                rounding.stored((value + self.above[channel]).min(1.0))
+            };
+            self.above[channel] = (self.above[channel] + sums).min(1.0 - value) + stored;
+            self.below[channel] = (self.below[channel] + sums).min(value) + stored;
+        }
+    }
+}
+
 /// The splats of an image in the reference's order, nearest first.
-pub struct Ordered {
+pub struct OrderedSplats {
     pub splats: Vec<UncertainSplat>,
     /// The rank of the furthest splat that a device may draw in front of each.
     pub furthest: Vec<u32>,
     key_max: u32,
 }
 
-impl Ordered {
+impl OrderedSplats {
     /// Sorts splats as the reference does: by depth, and larger indices before smaller ones.
     pub fn new(mut splats: Vec<UncertainSplat>, key_max: u32) -> Self {
         splats.sort_by(|a, b| {
@@ -81,23 +98,23 @@ impl Ordered {
         }
     }
 
-    fn at(&self, layer: &Layer) -> &UncertainSplat {
+    fn at(&self, layer: &PixelLayer) -> &UncertainSplat {
         &self.splats[layer.rank as usize]
     }
 
     /// Whether a device may draw the second of two layers in front of the first.
-    fn may_swap(&self, nearer: &Layer, further: &Layer) -> bool {
+    fn may_swap(&self, nearer: &PixelLayer, further: &PixelLayer) -> bool {
         self.at(further).may_pass(self.at(nearer), self.key_max)
     }
 
     /// The largest key at which a device may find a sample saturated: what has a smaller key may be
     /// left out. 0 where that can't be. `around`: the layers at each of the pixels that the sample
     /// stands for; a splat counts by its least opacity there.
-    pub fn saturated_key(&self, around: &[&[Layer]], threshold: f64) -> f64 {
+    pub fn saturated_key(&self, around: &[&[PixelLayer]], threshold: f64) -> f64 {
         let Some((first, others)) = around.split_first() else {
             return 0.0;
         };
-        let least_opacity = |layer: &Layer| {
+        let least_opacity = |layer: &PixelLayer| {
             others.iter().try_fold(layer.alpha.high, |least, layers| {
                 let at = layers.binary_search_by_key(&layer.rank, |l| l.rank).ok()?;
                 Some(least.min(layers[at].alpha.high))
@@ -120,7 +137,12 @@ impl Ordered {
 
     /// Blends a pixel's layers, nearest first. Of what has a key below `lost_below` a device may
     /// leave out all that lies behind some depth; quads show the colour of a layer in its place.
-    pub fn blend(&self, layers: &mut [Layer], rounding: &Rounding, lost_below: f64) -> PixelBound {
+    pub fn blend(
+        &self,
+        layers: &mut [PixelLayer],
+        rounding: &Rounding,
+        lost_below: f64,
+    ) -> PixelBound {
         if rounding.quads() {
             quantize(layers, rounding);
         }
@@ -139,25 +161,14 @@ impl Ordered {
         let mut lost = None;
         let mut least = 1.0;
         for (layer, behind) in layers.iter().zip(&behind) {
-            let Alpha { exact, low, high } = layer.alpha;
             let splat = self.at(layer);
             if lost.is_none() && splat.key[0] < lost_below {
                 lost = Some(light);
             }
-            let color = self.color(layer);
-            for channel in 0..4 {
-                let towards = color[channel] - behind[channel];
-                let ends = [low - exact, high - exact].map(|by| by * towards);
-                bound.above[channel] += light * ends[0].max(ends[1]).max(0.0);
-                bound.below[channel] -= light * ends[0].min(ends[1]).min(0.0);
-            }
+            self.blend_layer(layer, *behind, light, rounding, &mut bound);
+            let Alpha { low, high, .. } = layer.alpha;
             weight += light * high;
             color_error = color_error.max(splat.color_error);
-            let rounded = self.rounded(layer, *behind, rounding);
-            for (channel, rounded) in rounded.into_iter().enumerate() {
-                bound.above[channel] += light * rounded;
-                bound.below[channel] += light * rounded;
-            }
             light *= 1.0 - low;
             least *= 1.0 - high;
             if least < rounding.saturated() && lost.is_none() {
@@ -178,37 +189,56 @@ impl Ordered {
             lost = lost.or(Some(light));
         }
         if let Some(lost) = lost {
-            for channel in 0..4 {
-                let most = lost * self.brightest(layers, channel);
-                bound.below[channel] += most;
-                // In its place tiles show more of what they have blended, and quads the colour of
-                // one of the layers, in 5 bits.
-                bound.above[channel] += if rounding.quads() {
-                    (most + lost * FIVE_BITS).min(lost)
-                } else {
-                    most
-                };
-            }
+            self.lose(lost, layers, rounding, &mut bound);
         }
-        let sums = 4.0 * F32 * (layers.len() as f64 + 4.0);
-        for channel in 0..4 {
-            let value = bound.value[channel];
-            let stored = if rounding.quads() {
-                0.0
-            } else {
-                rounding.stored((value + bound.above[channel]).min(1.0))
-            };
-            bound.above[channel] = (bound.above[channel] + sums).min(1.0 - value) + stored;
-            bound.below[channel] = (bound.below[channel] + sums).min(value) + stored;
-        }
+        bound.round(layers.len(), rounding);
         bound
     }
 
-    fn color(&self, layer: &Layer) -> [f64; 4] {
+    /// Steps 1 and 5 of a layer that `light` reaches at most. `behind`: the colour behind it.
+    fn blend_layer(
+        &self,
+        layer: &PixelLayer,
+        behind: [f64; 4],
+        light: f64,
+        rounding: &Rounding,
+        bound: &mut PixelBound,
+    ) {
+        let Alpha { exact, low, high } = layer.alpha;
+        let color = self.color(layer);
+        for channel in 0..4 {
+            let towards = color[channel] - behind[channel];
+            let ends = [low - exact, high - exact].map(|by| by * towards);
+            bound.above[channel] += light * ends[0].max(ends[1]).max(0.0);
+            bound.below[channel] -= light * ends[0].min(ends[1]).min(0.0);
+        }
+        let rounded = self.rounded(layer, behind, rounding);
+        for (channel, rounded) in rounded.into_iter().enumerate() {
+            bound.above[channel] += light * rounded;
+            bound.below[channel] += light * rounded;
+        }
+    }
+
+    /// Step 4: a device may leave out what `lost` of the light would reach.
+    fn lose(&self, lost: f64, layers: &[PixelLayer], rounding: &Rounding, bound: &mut PixelBound) {
+        for channel in 0..4 {
+            let most = lost * self.brightest(layers, channel);
+            bound.below[channel] += most;
+            // In its place tiles show more of what they have blended, and quads the colour of one of
+            // the layers, in 5 bits.
+            bound.above[channel] += if rounding.quads() {
+                (most + lost * FIVE_BITS).min(lost)
+            } else {
+                most
+            };
+        }
+    }
+
+    fn color(&self, layer: &PixelLayer) -> [f64; 4] {
         self.at(layer).color.extend(1.0).to_array()
     }
 
-    fn brightest(&self, layers: &[Layer], channel: usize) -> f64 {
+    fn brightest(&self, layers: &[PixelLayer], channel: usize) -> f64 {
         layers
             .iter()
             .map(|layer| self.color(layer)[channel] + self.at(layer).color_error)
@@ -217,7 +247,7 @@ impl Ordered {
     }
 
     /// What blending a layer rounds. `behind`: what lies behind it.
-    fn rounded(&self, layer: &Layer, behind: [f64; 4], rounding: &Rounding) -> [f64; 4] {
+    fn rounded(&self, layer: &PixelLayer, behind: [f64; 4], rounding: &Rounding) -> [f64; 4] {
         if !rounding.quads() || layer.alpha.high == 0.0 {
             return [0.0; 4];
         }
@@ -234,11 +264,11 @@ impl Ordered {
     }
 
     /// Step 3: pairs that may be swapped. Whether there are any.
-    fn swaps(&self, layers: &[Layer], bound: &mut PixelBound) -> bool {
+    fn swaps(&self, layers: &[PixelLayer], bound: &mut PixelBound) -> bool {
         let mut any = false;
         let mut light = 1.0;
         // Layers before the current one that one behind it may pass.
-        let mut open: Vec<&Layer> = Vec::new();
+        let mut open: Vec<&PixelLayer> = Vec::new();
         for (at, nearer) in layers.iter().enumerate() {
             // A channel can't be off by more: all pairs of hundreds that may be anywhere take long.
             let full = (0..3).all(|k| bound.above[k] >= 1.0 && bound.below[k] >= 1.0);
@@ -280,7 +310,7 @@ fn over(alpha: f64, color: [f64; 4], behind: [f64; 4]) -> [f64; 4] {
 }
 
 /// α as the blender sees it: rounded to the image's format.
-fn quantize(layers: &mut [Layer], rounding: &Rounding) {
+fn quantize(layers: &mut [PixelLayer], rounding: &Rounding) {
     for layer in layers {
         let alpha = &mut layer.alpha;
         let step = match rounding.color {

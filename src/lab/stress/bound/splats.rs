@@ -12,10 +12,10 @@ use super::{
     rounding::{F16, F16_NORMAL, F32, Rounding},
 };
 use effigy_core::{
-    avatar::{Avatar, LowPass},
+    avatar::{Avatar, LowPass, Rows},
     constants::{ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX},
     frame::{Skip, pose_cache::PoseCache},
-    layout::{CenterGrids, compact::Neutral},
+    layout::{CenterGrids, compact::NeutralGaussian},
     reference::{Gaussian, Splat, project},
     scene::{AvatarBounds, Camera, PartSet, Posed},
 };
@@ -131,7 +131,7 @@ pub struct UncertainSplat {
     /// Error of the deviation between shaders, standard deviations.
     varying: f64,
     /// What [`Self::alpha`] needs of these, computed once.
-    shape: Shape,
+    shape: AlphaTerms,
     /// Exponent above which α is surely under the cutoff.
     far_exponent: f64,
     alpha_error: f64,
@@ -144,7 +144,7 @@ pub struct UncertainSplat {
 
 /// Terms of a splat's α that are the same at each place.
 #[derive(Clone, Copy, Debug, Default)]
-struct Shape {
+struct AlphaTerms {
     /// Shortest and longest of each axis, px.
     longer: [f64; 2],
     shorter: [f64; 2],
@@ -194,40 +194,80 @@ impl SplatInput<'_> {
     fn posed(&self, k: usize, view: DAffine3) -> Posed3 {
         let stored = self.stored;
         let neutral = &stored.gaussians;
-        let part = stored.parts.part_of(k);
-        let from = part * stored.networks.output();
-        let e = &self.features.value[from..][..stored.basis_len()];
-        let ee = &self.features.error[from..][..stored.basis_len()];
-        let own = Neutral::stored(self.avatar, k);
-
-        let mut displaced = DVec3::ZERO;
-        let mut moved_error = DVec3::ZERO;
-        for (weight, node) in own.node_weights.iter().zip(neutral.node[k]) {
-            let node = self.nodes[usize::from(node)];
-            let value = DVec3::from(values(node));
-            displaced += *weight * value;
-            moved_error += *weight * errors(node) + 8.0 * F32 * *weight * value.abs();
-        }
+        let own = NeutralGaussian::stored(self.avatar, k);
+        let [displaced, moved_error] = self.displacement(k, &own);
         let x0 = stored.position(k);
         let x = x0 + displaced;
         let corner = DVec3::from(neutral.bounds.min.map(f64::from));
         let x_error = 4.0 * F32 * (corner.abs() + (x0 - corner).abs()) + moved_error;
-
-        let mut linear_size = DMat3::ZERO;
-        let mut moved_size = DVec3::ZERO;
-        for (joint, weight) in neutral.joint[k].into_iter().zip(neutral.joint_weight[k]) {
-            let weight = f64::from(weight) / 255.0;
-            let joint = view * self.posed.joints[usize::from(joint)];
-            linear_size += weight * magnitudes(joint.matrix3);
-            moved_size += weight * joint.translation.abs();
-        }
+        let (linear_size, moved_size) = self.skinning_size(k, view);
         let mean_error = if self.rounding.exact_positions {
             DVec3::ZERO
         } else {
             linear_size * x_error + POSITION_ROUNDINGS * F32 * (linear_size * x.abs() + moved_size)
         };
 
-        let turn = corrective(&stored.rotation_rows, k, e, ee);
+        let (rotation, angle) = self.rotation(k, &own);
+        let (log_scale, scale_error) = self.log_scale(k);
+        let scale = log_scale.map(f64::exp);
+        let axes = view.matrix3 * self.gaussians[k].axes;
+        let rows = row_lengths(linear_size);
+        let size = linear_size * magnitudes(rotation);
+        let column_error =
+            |axis: usize| scale[axis] * (AXIS_ROUNDINGS * F32 * size.col(axis) + angle * rows);
+        let axes_error = DMat3::from_cols(column_error(0), column_error(1), column_error(2));
+        let corrected = log_scale.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        Posed3 {
+            mean: view.transform_point3(self.gaussians[k].mean),
+            mean_error,
+            axes,
+            axes_error,
+            scale_error,
+            color_error: self.color_error(k, &own),
+            displaced: displaced.length(),
+            axis: corrected.exp(),
+        }
+    }
+
+    /// How far nodes move a Gaussian, and the error of that, metres in canonical space.
+    fn displacement(&self, k: usize, own: &NeutralGaussian) -> [DVec3; 2] {
+        let mut displaced = DVec3::ZERO;
+        let mut error = DVec3::ZERO;
+        let nodes = self.stored.gaussians.node[k];
+        for (weight, node) in own.node_weights.iter().zip(nodes) {
+            let node = self.nodes[usize::from(node)];
+            let value = DVec3::from(values(node));
+            displaced += *weight * value;
+            error += *weight * errors(node) + 8.0 * F32 * *weight * value.abs();
+        }
+        [displaced, error]
+    }
+
+    /// Magnitudes of the joints' linear parts and translations, as the Gaussian's weights blend them.
+    fn skinning_size(&self, k: usize, view: DAffine3) -> (DMat3, DVec3) {
+        let neutral = &self.stored.gaussians;
+        let mut linear = DMat3::ZERO;
+        let mut moved = DVec3::ZERO;
+        for (joint, weight) in neutral.joint[k].into_iter().zip(neutral.joint_weight[k]) {
+            let weight = f64::from(weight) / 255.0;
+            let joint = view * self.posed.joints[usize::from(joint)];
+            linear += weight * magnitudes(joint.matrix3);
+            moved += weight * joint.translation.abs();
+        }
+        (linear, moved)
+    }
+
+    /// A Gaussian's corrective of an attribute.
+    fn corrective<const C: usize>(&self, rows: &Rows<C>, k: usize) -> [UncertainSum; C] {
+        let from = self.stored.parts.part_of(k) * self.stored.networks.output();
+        let to = from + self.stored.basis_len();
+        let Uncertain { value, error } = self.features;
+        corrective(rows, k, &value[from..to], &error[from..to])
+    }
+
+    /// A Gaussian's rotation in canonical space, and the error of its angle, radians.
+    fn rotation(&self, k: usize, own: &NeutralGaussian) -> (DMat3, f64) {
+        let turn = self.corrective(&self.stored.rotation_rows, k);
         let q0 = DQuat::from_xyzw(
             own.rotation[1],
             own.rotation[2],
@@ -246,13 +286,19 @@ impl SplatInput<'_> {
         } else {
             2.0 * error / (q.length() - error) + 16.0 * F32
         };
-        let rotation = DMat3::from_quat(project::rotation(own.rotation, delta));
+        (
+            DMat3::from_quat(project::rotation(own.rotation, delta)),
+            angle,
+        )
+    }
 
-        let grown = corrective(&stored.scale_rows, k, e, ee);
+    /// A Gaussian's log scales, and the relative error of each scale.
+    fn log_scale(&self, k: usize) -> ([f64; 3], [f64; 3]) {
+        let grown = self.corrective(&self.stored.scale_rows, k);
         let mut log_scale = [0.0; 3];
         let mut scale_error = [0.0; 3];
         for axis in 0..3 {
-            let neutral = f64::from(neutral.log_scale[k][axis]);
+            let neutral = f64::from(self.stored.gaussians.log_scale[k][axis]);
             let sum = neutral + grown[axis].value;
             log_scale[axis] = sum.min(LOG_SCALE_MAX);
             let low = (sum - grown[axis].error).min(LOG_SCALE_MAX);
@@ -260,34 +306,20 @@ impl SplatInput<'_> {
             let size = neutral.abs() + sum.abs() + LOG_SCALE_MAX;
             scale_error[axis] = (high - low).exp_m1() + 4.0 * F32 * size;
         }
-        let scale = log_scale.map(f64::exp);
-        let axes = view.matrix3 * self.gaussians[k].axes;
-        let rows = row_lengths(linear_size);
-        let size = linear_size * magnitudes(rotation);
-        let column_error =
-            |axis: usize| scale[axis] * (AXIS_ROUNDINGS * F32 * size.col(axis) + angle * rows);
-        let axes_error = DMat3::from_cols(column_error(0), column_error(1), column_error(2));
+        (log_scale, scale_error)
+    }
 
-        let tint = corrective(&stored.color_rows, k, e, ee);
-        let color_error = (0..3)
+    /// [`Posed3::color_error`].
+    fn color_error(&self, k: usize, own: &NeutralGaussian) -> f64 {
+        let tint = self.corrective(&self.stored.color_rows, k);
+        (0..3)
             .map(|c| {
                 let sum = own.color[c] + tint[c].value;
                 let clamp = |by: f64| (sum + by).clamp(0.0, 1.0);
                 let error = tint[c].error + 4.0 * F32 * (own.color[c].abs() + sum.abs());
                 (clamp(error) - clamp(0.0)).max(clamp(0.0) - clamp(-error))
             })
-            .fold(0.0, f64::max);
-        let corrected = log_scale.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        Posed3 {
-            mean: view.transform_point3(self.gaussians[k].mean),
-            mean_error,
-            axes,
-            axes_error,
-            scale_error,
-            color_error,
-            displaced: displaced.length(),
-            axis: corrected.exp(),
-        }
+            .fold(0.0, f64::max)
     }
 
     /// A Gaussian that comes from the pose cache. None if the cache can't hold it.
@@ -402,7 +434,7 @@ impl SplatInput<'_> {
             scale_error: [0.0; 3],
             evaluated_from: 0.0,
             varying: 0.0,
-            shape: Shape::default(),
+            shape: AlphaTerms::default(),
             far_exponent: f64::INFINITY,
             alpha_error: rounding.alpha(),
             cutoff: rounding.cutoff,
@@ -436,19 +468,36 @@ impl SplatInput<'_> {
 
     /// Where in the image a splat is, with what errors. False if no device draws it.
     fn place(&self, splat: &mut UncertainSplat, posed: &Posed3) -> bool {
-        let camera = self.camera;
-        let rounding = self.rounding;
-        let t = posed.mean;
-        let e = posed.mean_error;
-        let center = camera.project(t);
-        let focal = camera.focal.abs() / t.z;
-        let slope = t.truncate() / t.z;
-        let relative_z = e.z / (t.z - e.z) + 6.0 * F32;
-        let slope_error = (e.truncate() + slope.abs() * e.z) / (t.z - e.z);
-        let size = DVec2::from(camera.size.map(f64::from));
-        let projected = camera.focal.abs() * slope_error
-            + 4.0 * F32 * ((center - camera.center).abs() + camera.center.abs());
+        let projection = Projection::new(self.camera, posed);
+        self.project_axes(splat, posed, &projection);
+        let Some(ellipse) = Ellipse::new(&splat.columns, splat.low_pass) else {
+            return false;
+        };
+        if !splat.has_variance_in_range(&ellipse, projection.relative_z)
+            || !splat.compensate(self.rounding, self.low_pass.compensation)
+        {
+            return false;
+        }
+        splat.set_axes(&ellipse);
+        self.set_center(splat, &projection);
+        splat.anywhere = false;
+        splat.shape = splat.shape();
+        let relative = splat.opacity_error + splat.alpha_error;
+        // Far enough beyond the cutoff that rounding of the exponential does not matter.
+        let margin = 1e-5;
+        splat.far_exponent = (splat.opacity * (1.0 + relative) / splat.cutoff).ln() + margin;
+        self.set_reach(splat, &ellipse, projection.center)
+    }
 
+    /// The axes of a splat, px, and their errors.
+    fn project_axes(&self, splat: &mut UncertainSplat, posed: &Posed3, projection: &Projection) {
+        let Projection {
+            slope,
+            slope_error,
+            relative_z,
+            ..
+        } = *projection;
+        let focal = self.camera.focal.abs() / posed.mean.z;
         let [min, max] = self.limits;
         let clamped = slope.clamp(min, max);
         let clamp_error = DVec2::select(
@@ -466,49 +515,16 @@ impl SplatInput<'_> {
                 + relative_z * column.abs();
         }
         splat.scale_error = posed.scale_error;
-        let row = |axis: usize| DVec3::from(splat.columns.map(|column| column[axis]));
-        let [row_x, row_y] = [row(0), row(1)];
-        let low_pass = splat.low_pass;
-        let [a, b, c] = [
-            row_x.dot(row_x) + low_pass,
-            row_x.dot(row_y),
-            row_y.dot(row_y) + low_pass,
-        ];
-        let determinant = row_x.cross(row_y).length_squared() + low_pass * (a + c - low_pass);
-        if !(determinant > 0.0 && a.is_finite() && c.is_finite() && determinant.is_finite()) {
-            return false;
-        }
-        let largest = a.max(c);
-        let grows = 4.0 * (splat.scale_error.into_iter().fold(0.0, f64::max) + relative_z)
-            + 4.0 * splat.column_error.iter().map(|e| e.length()).sum::<f64>() / largest.sqrt()
-            + 16.0 * F32;
-        if largest > VARIANCE_MAX * (1.0 + grows) {
-            return false;
-        }
-        splat.may_vanish |= largest * (1.0 + grows) > VARIANCE_MAX;
-        if !splat.compensate(rounding, self.low_pass.compensation) {
-            return false;
-        }
+    }
 
-        let half = 0.5 * (a - c);
-        let root = half.hypot(b);
-        let longer = 0.5 * (a + c) + root;
-        let direction = if half >= 0.0 {
-            DVec2::new(half + root, b)
-        } else {
-            DVec2::new(b, root - half)
-        };
-        splat.direction = direction.try_normalize().unwrap_or(DVec2::X);
-        splat.longer = longer.sqrt();
-        splat.shorter = (determinant / longer).sqrt();
-        let d = splat.direction;
-        // Each component of the axis is off by a step, or taken for 0 where it is no normal number.
-        splat.turn =
-            2.0 * (d.x * d.y).abs() * F16 + (F16_NORMAL / splat.longer).min(d.abs().min_element());
-        splat.turn_f32 = SHAPE_ROUNDINGS * F32 * (a + c) / (2.0 * root).max(f64::MIN_POSITIVE);
+    /// Where a device may have a splat's centre, and errors of its distance from a pixel.
+    fn set_center(&self, splat: &mut UncertainSplat, projection: &Projection) {
+        let rounding = self.rounding;
+        let center = projection.center;
+        let size = DVec2::from(self.camera.size.map(f64::from));
         // The centre is rounded to a grid: it is known exactly unless rounding may go either way.
-        let grids = CenterGrids::of(camera.size);
-        let slack = projected + FIXED_SLACK / grids.steps * grids.coarseness(center);
+        let grids = CenterGrids::of(self.camera.size);
+        let slack = projection.center_error + FIXED_SLACK / grids.steps * grids.coarseness(center);
         let [low, high] = [grids.round(center - slack), grids.round(center + slack)];
         splat.center = 0.5 * (low + high);
         splat.shift = 0.5 * (high - low);
@@ -531,25 +547,85 @@ impl SplatInput<'_> {
         } else {
             splat.evaluated_from = 4.0;
         }
-        splat.anywhere = false;
-        splat.shape = splat.shape();
-        let relative = splat.opacity_error + splat.alpha_error;
-        // Far enough beyond the cutoff that rounding of the exponential does not matter.
-        let margin = 1e-5;
-        splat.far_exponent = (splat.opacity * (1.0 + relative) / splat.cutoff).ln() + margin;
+    }
 
+    /// [`UncertainSplat::reach`], if the interval of α is narrow enough to have one. False if no
+    /// device draws the splat into the image.
+    fn set_reach(&self, splat: &mut UncertainSplat, ellipse: &Ellipse, center: DVec2) -> bool {
         let exponent = (splat.opacity * (1.0 + splat.opacity_error) / splat.cutoff).ln();
         // How wide the interval is at the ellipse where α is the cutoff.
         let at = splat.exponents_at_most(exponent + EXPONENT_MARGIN);
         if at < EXPONENT_MARGIN {
             let radius = (2.0 * (exponent + EXPONENT_MARGIN)).sqrt() * 1.01;
-            splat.reach = radius * DVec2::new(a.sqrt(), c.sqrt()) + splat.shift + 1.0;
+            splat.reach =
+                radius * DVec2::new(ellipse.a.sqrt(), ellipse.c.sqrt()) + splat.shift + 1.0;
+            let size = DVec2::from(self.camera.size.map(f64::from));
             let outside = (-center - splat.reach).max(center - size - splat.reach);
             if outside.max_element() > 0.0 {
                 return false;
             }
         }
         true
+    }
+}
+
+/// The mean of a Gaussian in the image, with the errors of its projection.
+struct Projection {
+    /// px.
+    center: DVec2,
+    center_error: DVec2,
+    /// x and y over the depth.
+    slope: DVec2,
+    slope_error: DVec2,
+    /// Relative error of the depth.
+    relative_z: f64,
+}
+
+impl Projection {
+    fn new(camera: &Camera, posed: &Posed3) -> Self {
+        let t = posed.mean;
+        let e = posed.mean_error;
+        let center = camera.project(t);
+        let slope = t.truncate() / t.z;
+        let slope_error = (e.truncate() + slope.abs() * e.z) / (t.z - e.z);
+        Self {
+            center,
+            center_error: camera.focal.abs() * slope_error
+                + 4.0 * F32 * ((center - camera.center).abs() + camera.center.abs()),
+            slope,
+            slope_error,
+            relative_z: e.z / (t.z - e.z) + 6.0 * F32,
+        }
+    }
+}
+
+/// Σ = [[a, b], [b, c]] of a splat, px².
+struct Ellipse {
+    a: f64,
+    b: f64,
+    c: f64,
+    determinant: f64,
+}
+
+impl Ellipse {
+    /// From the projected axes. None if it is degenerate.
+    fn new(columns: &[DVec2; 3], low_pass: f64) -> Option<Self> {
+        let row = |axis: usize| DVec3::from(columns.map(|column| column[axis]));
+        let [row_x, row_y] = [row(0), row(1)];
+        let [a, b, c] = [
+            row_x.dot(row_x) + low_pass,
+            row_x.dot(row_y),
+            row_y.dot(row_y) + low_pass,
+        ];
+        let determinant = row_x.cross(row_y).length_squared() + low_pass * (a + c - low_pass);
+        let is_valid =
+            determinant > 0.0 && a.is_finite() && c.is_finite() && determinant.is_finite();
+        is_valid.then_some(Self {
+            a,
+            b,
+            c,
+            determinant,
+        })
     }
 }
 
@@ -571,6 +647,46 @@ impl UncertainSplat {
     /// integers: within a step two may be equal, and then the indices decide.
     pub fn may_pass(&self, nearer: &Self, key_max: u32) -> bool {
         self.key[1] + 1.0 / f64::from(key_max) + KEY_ROUNDING >= nearer.key[0]
+    }
+
+    /// False if its variances are too large for any device to draw it. Notes whether some may leave
+    /// it out.
+    fn has_variance_in_range(&mut self, ellipse: &Ellipse, relative_z: f64) -> bool {
+        let largest = ellipse.a.max(ellipse.c);
+        let grows = 4.0 * (self.scale_error.into_iter().fold(0.0, f64::max) + relative_z)
+            + 4.0 * self.column_error.iter().map(|e| e.length()).sum::<f64>() / largest.sqrt()
+            + 16.0 * F32;
+        if largest > VARIANCE_MAX * (1.0 + grows) {
+            return false;
+        }
+        self.may_vanish |= largest * (1.0 + grows) > VARIANCE_MAX;
+        true
+    }
+
+    /// The ellipse's axes, and errors of their direction.
+    fn set_axes(&mut self, ellipse: &Ellipse) {
+        let Ellipse {
+            a,
+            b,
+            c,
+            determinant,
+        } = *ellipse;
+        let half = 0.5 * (a - c);
+        let root = half.hypot(b);
+        let longer = 0.5 * (a + c) + root;
+        let direction = if half >= 0.0 {
+            DVec2::new(half + root, b)
+        } else {
+            DVec2::new(b, root - half)
+        };
+        self.direction = direction.try_normalize().unwrap_or(DVec2::X);
+        self.longer = longer.sqrt();
+        self.shorter = (determinant / longer).sqrt();
+        let d = self.direction;
+        // Each component of the axis is off by a step, or taken for 0 if it is subnormal.
+        self.turn =
+            2.0 * (d.x * d.y).abs() * F16 + (F16_NORMAL / self.longer).min(d.abs().min_element());
+        self.turn_f32 = SHAPE_ROUNDINGS * F32 * (a + c) / (2.0 * root).max(f64::MIN_POSITIVE);
     }
 
     /// Multiplies the opacity by what the filter's compensation leaves, with what errors. False if
@@ -651,14 +767,14 @@ impl UncertainSplat {
         own * (1.0 + (2.0 * own).min(1.0))
     }
 
-    fn shape(&self) -> Shape {
+    fn shape(&self) -> AlphaTerms {
         let ratio = self.longer / self.shorter;
         let apart = ratio - 1.0 / ratio;
         let turn = (self.turn + self.turn_f32).min(1.0);
         let rounded = |axis: f64| {
             [-1.0, 1.0].map(|sign| axis.min(F16_MAX) * (1.0 + sign * (F16 + SHAPE_ROUNDINGS * F32)))
         };
-        Shape {
+        AlphaTerms {
             longer: rounded(self.longer),
             shorter: rounded(self.shorter),
             turned: self.turn * apart + 2.0 * SHAPE_ROUNDINGS * F32 * (ratio + 1.0 / ratio),

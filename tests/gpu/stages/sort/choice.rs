@@ -3,7 +3,7 @@
 use super::*;
 use effigy::vulkan::{
     sort::choice::{choose_in, test},
-    trial::{Outcome, SortChoice, Tried},
+    trial::{SortChoice, TrialOutcome, Tried},
 };
 use std::{fs, path::PathBuf};
 
@@ -16,7 +16,7 @@ fn file(folder: &tempfile::TempDir) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome(choice: &SortChoice, variant: SortVariant) -> &Outcome {
+fn outcome(choice: &SortChoice, variant: SortVariant) -> &TrialOutcome {
     Tried::outcome_of(&choice.tried, variant).unwrap()
 }
 
@@ -27,12 +27,12 @@ fn the_self_test_picks_a_variant_that_is_right_and_remembers_it() {
     println!("{choice:?}");
     assert!(matches!(
         outcome(&choice, choice.variant),
-        Outcome::Right(_)
+        TrialOutcome::Right(_)
     ));
     assert!(
         matches!(
             outcome(&choice, SortVariant::ReduceThenScan),
-            Outcome::Right(_)
+            TrialOutcome::Right(_)
         ),
         "reduce-then-scan is right everywhere"
     );
@@ -53,11 +53,13 @@ fn look_back_is_tested_and_refused_where_it_is_wrong() {
     let outcome = test(&device, SortVariant::OneSweep).unwrap();
     println!("{outcome}");
     match effigy::vulkan::sort::unsupported(SortVariant::OneSweep, &device) {
-        Some(_) => assert!(matches!(outcome, Outcome::Unsupported(_))),
-        None if looks_back(&device) => assert!(matches!(outcome, Outcome::Right(_)), "{outcome}"),
+        Some(_) => assert!(matches!(outcome, TrialOutcome::Unsupported(_))),
+        None if looks_back(&device) => {
+            assert!(matches!(outcome, TrialOutcome::Right(_)), "{outcome}")
+        }
         // Wrong or right by chance: what matters is that the test ends with an answer.
         None => assert!(
-            matches!(outcome, Outcome::Right(_) | Outcome::Refused(_)),
+            matches!(outcome, TrialOutcome::Right(_) | TrialOutcome::Refused(_)),
             "{outcome}"
         ),
     }
@@ -102,7 +104,7 @@ fn a_variant_that_ended_the_program_twice_is_not_tried_again() {
     let again = choose_in(&device, Some(folder.path())).unwrap();
     assert_ne!(
         *outcome(&again, SortVariant::ReduceThenScan),
-        Outcome::Unfinished,
+        TrialOutcome::Unfinished,
         "the user may have ended it"
     );
     content["trying"] = serde_json::json!(["ReduceThenScan", 2]);
@@ -110,7 +112,7 @@ fn a_variant_that_ended_the_program_twice_is_not_tried_again() {
     let choice = choose_in(&device, Some(folder.path())).unwrap();
     assert_eq!(
         *outcome(&choice, SortVariant::ReduceThenScan),
-        Outcome::Unfinished
+        TrialOutcome::Unfinished
     );
     assert_ne!(choice.variant, SortVariant::ReduceThenScan);
     assert_eq!(
@@ -137,13 +139,14 @@ fn a_program_that_was_killed_in_every_trial_sorts_all_the_same() {
         again
             .tried
             .iter()
-            .all(|tried| tried.outcome == Outcome::Unfinished)
+            .all(|tried| tried.outcome == TrialOutcome::Unfinished)
     );
 }
 
 fn the_fastest_right_variant_wins() {
     let tried = |times: [Option<f64>; 3]| {
-        let outcome = |ms: Option<f64>| ms.map_or(Outcome::Refused("wrong".into()), Outcome::Right);
+        let outcome =
+            |ms: Option<f64>| ms.map_or(TrialOutcome::Refused("wrong".into()), TrialOutcome::Right);
         SortVariant::ALL
             .into_iter()
             .zip(times.map(outcome))

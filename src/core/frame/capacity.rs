@@ -1,12 +1,12 @@
-//! How many Gaussians a frame has room for. A crowd's buffers hold fewer than all of every avatar:
-//! where a frame would draw more, the avatars with the most Gaussians a pixel are drawn coarser.
+//! How many Gaussians a frame can draw. A crowd's buffers hold fewer than those of all its avatars:
+//! if a frame would draw more, the avatars with the most Gaussians a pixel are drawn coarser.
 
 use super::{RendererOptions, Unusable};
 use crate::scene::{AvatarBounds, detail};
 use std::{cmp::Ordering, collections::BinaryHeap};
 
-/// More avatars than this are a crowd: up to so many there is room for all of every one, unless
-/// options say otherwise, and an atlas may have all its pixels.
+/// More avatars than this are a crowd. With up to this many, a frame can draw all Gaussians of each,
+/// unless options say otherwise, and an atlas may have all its pixels.
 pub(super) const FEW: usize = 16;
 
 /// What is drawn of an avatar.
@@ -19,7 +19,7 @@ pub struct Portion {
 }
 
 impl Portion {
-    /// The least of an avatar.
+    /// The smallest portion of an avatar.
     fn coarsest(bounds: &AvatarBounds) -> Self {
         Self {
             model: bounds.levels().len(),
@@ -27,7 +27,7 @@ impl Portion {
         }
     }
 
-    /// The next coarser. A level made for it comes before thinning out.
+    /// The next coarser portion: the avatar's levels come before thinning out.
     fn coarser(self, bounds: &AvatarBounds) -> Option<Self> {
         if self.model < bounds.levels().len() {
             Some(Self {
@@ -57,22 +57,22 @@ impl Portion {
     }
 }
 
-/// The room of a renderer.
+/// How much a renderer's buffers can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Room {
+pub struct Capacity {
     /// Gaussians of all avatars that a frame draws, those counted that pad them
-    /// ([`padded_count`]).
+    /// ([`Portion::gaussians`]).
     pub gaussians: u32,
-    /// Avatars that networks move.
+    /// Avatars that networks move, each with its place in the pose buffer.
     pub posed: usize,
 }
 
-impl Room {
-    /// The room that a renderer with these options needs.
+impl Capacity {
+    /// The capacity that a renderer with these options needs.
     ///
     /// # Errors
-    /// When [`RendererOptions::gaussians`] does not hold the coarsest of every avatar, or one
-    /// avatar as a whole.
+    /// When [`RendererOptions::gaussians`] is too few for the coarsest portion of every avatar, or
+    /// for one whole avatar.
     pub fn new(options: &RendererOptions, bounds: &AvatarBounds) -> Result<Self, Unusable> {
         let instances = options.instances as u64;
         let count = |portion: Portion| u64::from(portion.gaussians(bounds));
@@ -110,7 +110,7 @@ impl Room {
         })
     }
 
-    /// Room for all of so many avatars, for plans that are only looked at.
+    /// Capacity for this many whole avatars, for plans that are never drawn.
     pub fn unlimited(avatars: usize) -> Self {
         Self {
             gaussians: u32::MAX,
@@ -118,8 +118,9 @@ impl Room {
         }
     }
 
-    /// Draws avatars coarser until they fit: always the one with the most Gaussians a pixel of its
-    /// box. `side`: the longest side of one in the image, px, asked for only where they don't fit.
+    /// Makes portions coarser until all fit, always that of the avatar with the most Gaussians a
+    /// pixel of its box. `side`: the longest side of an avatar in the image, px; called only if
+    /// portions don't fit.
     pub fn fit(
         &self,
         portions: &mut [Portion],
@@ -152,8 +153,9 @@ impl Room {
     }
 }
 
-/// An avatar by how many Gaussians it has a pixel.
+/// An avatar, ordered by its density.
 struct Crowded {
+    /// Gaussians a pixel of its box.
     density: f64,
     avatar: usize,
 }
@@ -179,9 +181,10 @@ impl PartialEq for Crowded {
 
 impl Eq for Crowded {}
 
-/// Which avatar's features and node displacements each place of the pose buffer holds.
+/// The places of the pose buffer. Each holds one avatar's features and node displacements.
 #[derive(Clone, Debug, Default)]
 pub struct PosePlaces {
+    /// Index of the avatar that each place belongs to; None before its first.
     owners: Vec<Option<usize>>,
 }
 
@@ -190,13 +193,13 @@ pub struct PosePlaces {
 pub struct PosePlace {
     /// Its number.
     pub number: usize,
-    /// Whether it holds another avatar's, or nothing yet: all networks have to run.
+    /// Whether it held another avatar's data, or nothing: all networks have to run.
     pub is_new: bool,
 }
 
 impl PosePlaces {
-    /// Gives each of these avatars a place of `count`, at least as many: the one that it has, else
-    /// one of an avatar that is not among them.
+    /// Gives each of these avatars, at most `count`, one of `count` places: the one that it has,
+    /// else one of an avatar that is not among them.
     pub fn assign(&mut self, avatars: &[usize], count: usize) -> Vec<PosePlace> {
         self.owners.resize(count, None);
         let kept: Vec<Option<usize>> = avatars
@@ -238,39 +241,40 @@ mod tests {
     }
 
     #[test]
-    fn there_is_room_for_all_unless_less_is_asked_for() {
+    fn all_avatars_fit_unless_less_is_asked_for() {
         let avatar = demo::avatar().expect("inside the program");
         let bounds = AvatarBounds::new(&avatar);
         let count = avatar.gaussians.len() as u32;
-        let room = |instances, gaussians| Room::new(&options(instances, gaussians), &bounds);
-        let all = room(5, None).expect("room");
+        let capacity =
+            |instances, gaussians| Capacity::new(&options(instances, gaussians), &bounds);
+        let all = capacity(5, None).expect("a capacity");
         assert_eq!((all.gaussians, all.posed), (5 * count, 5));
         // A crowd has what four avatars have, or the coarsest of each.
-        let crowd = room(24, None).expect("room");
+        let crowd = capacity(24, None).expect("a capacity");
         assert_eq!((crowd.gaussians, crowd.posed), (4 * count, 24));
-        assert_eq!(room(64, None).expect("room").gaussians, 8 * count);
-        let some = room(32, Some(4 * count)).expect("room");
+        assert_eq!(capacity(64, None).expect("a capacity").gaussians, 8 * count);
+        let some = capacity(32, Some(4 * count)).expect("a capacity");
         assert_eq!((some.gaussians, some.posed), (4 * count, 32));
-        let error = room(64, Some(count)).expect_err("too little");
+        let error = capacity(64, Some(count)).expect_err("too little");
         assert!(error.to_string().contains(&count.to_string()), "{error}");
-        assert!(room(1, Some(count - 10)).is_err());
+        assert!(capacity(1, Some(count - 10)).is_err());
     }
 
     #[test]
     fn the_densest_are_drawn_coarser() {
         let bounds = AvatarBounds::new(&with_levels());
         let count = bounds.gaussians() as u32;
-        let room = Room::new(&options(8, Some(2 * count)), &bounds).expect("room");
+        let capacity = Capacity::new(&options(8, Some(2 * count)), &bounds).expect("a capacity");
         let mut portions = [Portion { model: 0, level: 0 }; 8];
         let sides = [900.0, 100.0, 90.0, 80.0, 70.0, 60.0, 50.0, 40.0];
-        room.fit(&mut portions, |avatar| sides[avatar], &bounds);
+        capacity.fit(&mut portions, |avatar| sides[avatar], &bounds);
         let total: u32 = portions.iter().map(|own| own.gaussians(&bounds)).sum();
         assert!(total <= 2 * count && total > count, "{portions:?}");
         assert_eq!(portions[0], Portion { model: 0, level: 0 });
         assert!(portions.is_sorted_by_key(|own| own.model));
         // What fits stays.
         let before = portions;
-        room.fit(&mut portions, |avatar| sides[avatar], &bounds);
+        capacity.fit(&mut portions, |avatar| sides[avatar], &bounds);
         assert_eq!(portions, before);
     }
 
@@ -280,12 +284,13 @@ mod tests {
         let count = bounds.gaussians() as u32;
         let coarsest = Portion::coarsest(&bounds).gaussians(&bounds);
         let instances = (count / coarsest) as usize;
-        let room = Room::new(&options(instances, Some(count)), &bounds).expect("room");
+        let capacity =
+            Capacity::new(&options(instances, Some(count)), &bounds).expect("a capacity");
         let mut portions = vec![Portion { model: 0, level: 0 }; instances];
         for side in [1000.0, 0.0, f64::INFINITY, f64::NAN] {
-            room.fit(&mut portions, |_| side, &bounds);
+            capacity.fit(&mut portions, |_| side, &bounds);
             let drawn = portions.iter().map(|own| own.gaussians(&bounds));
-            assert!(drawn.sum::<u32>() <= room.gaussians);
+            assert!(drawn.sum::<u32>() <= capacity.gaussians);
         }
     }
 
