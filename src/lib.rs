@@ -84,8 +84,8 @@
 //! # Packages
 //!
 //! `effigy-core` holds avatars, files, frames and the reference, whatever draws them; `effigy-wgsl`
-//! the shaders in WGSL; this package draws, on Vulkan ([`vulkan`]) and WebGPU. The viewer, measuring, learning and the command line
-//! are packages above it.
+//! the shaders in WGSL; this package draws, on Vulkan ([`vulkan`]) and WebGPU. The viewer,
+//! measuring, learning and the command line are packages above it.
 
 #[cfg(not(target_arch = "wasm32"))]
 #[doc(hidden)]

@@ -118,8 +118,8 @@ pub struct KeyPress<'a> {
     pub is_repeated: bool,
 }
 
-/// The action of a key press, if it has one. Held keys only step, scrub and zoom. `repeat`: the current
-/// setting, which the key L changes to the next.
+/// The action of a key press, if it has one. Held keys only step, scrub and zoom. `repeat`: the
+/// current setting, which the key L changes to the next.
 pub fn key_action(press: &KeyPress, repeat: Repeat) -> Option<Action> {
     let shift = press.shift;
     let action = match press.key {

@@ -23,7 +23,7 @@ pub trait OpenFiles: Send + Sync {
     fn clip(&self, path: &Path, avatar: &Avatar) -> anyhow::Result<OpenedFile<Clip>>;
 }
 
-/// What a file holds, and what it left open.
+/// The content of a file, and what its reader assumed.
 pub struct OpenedFile<T> {
     /// What was read.
     pub content: T,

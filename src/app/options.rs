@@ -90,7 +90,8 @@ pub enum DriverLoss {
 pub struct Rehearsal {
     /// The kind of loss.
     pub loss: DriverLoss,
-    /// The number of the frame before which a surface or device is lost. For [`DriverLoss::Memory`], how
-    /// many devices are opened before the one that has too little memory.
+    /// The number of the frame before which a surface or device is lost. For
+    /// [`DriverLoss::Memory`], how many devices are opened before the one that has too little
+    /// memory.
     pub number: u32,
 }

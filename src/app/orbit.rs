@@ -77,7 +77,8 @@ pub struct OrbitCamera {
 }
 
 impl OrbitCamera {
-    /// A view of all of a box in world coordinates, from the front. `anchor`: the point that the view follows. `size`: the image's, px.
+    /// A view of all of a box in world coordinates, from the front. `anchor`: the point that the
+    /// view follows. `size`: the image's, px.
     pub fn new(framing: impl Into<Framing>, anchor: DVec3, size: [u32; 2]) -> Self {
         let framing = framing.into();
         let front = OrbitPose {
@@ -211,8 +212,8 @@ impl OrbitCamera {
         self.goal.distance = distance;
     }
 
-    /// Whether a point, metres from the anchor, is in the ellipsoid around the vertical axis that its
-    /// box encloses: about where the avatar is.
+    /// Whether a point, metres from the anchor, is in the ellipsoid around the vertical axis that
+    /// its box encloses: about where the avatar is.
     fn is_near(&self, point: DVec3) -> bool {
         let [min, max] = self.framing.bounds;
         let half = 0.5 * (max - min);

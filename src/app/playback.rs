@@ -18,7 +18,7 @@ pub enum Repeat {
     All,
 }
 
-/// A clip, as far as playback needs it.
+/// Name and timing of a clip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClipTiming {
     /// The clip's name.

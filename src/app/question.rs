@@ -13,11 +13,11 @@ use std::{
 };
 
 /// A reset of the GPU takes every device on it, but each program is told when it next waits. Of two
-/// losses no further apart than this the trial is to blame, as far as anyone knows: a GPU that hangs
-/// is reset after 2 to 10 s.
+/// losses no further apart than this the trial is to blame, as far as anyone knows: a GPU that
+/// hangs is reset after 2 to 10 s.
 const ONE_RESET: Duration = Duration::from_secs(10);
 
-/// How the trials fare.
+/// The progress of the trials.
 #[derive(Clone, Copy, Debug)]
 enum TrialProgress {
     Running,
@@ -29,7 +29,7 @@ enum TrialProgress {
 /// Trials of sorts and methods on a thread and a device of their own: a driver that hangs in a
 /// trial takes nothing from the window.
 pub struct BackgroundTrials {
-    fate: Fate,
+    progress: SharedProgress,
 }
 
 impl BackgroundTrials {
@@ -52,8 +52,8 @@ impl BackgroundTrials {
             None => QuestionScene::around(&avatar, &[scene.posed().clone()], options.size),
         };
         let device = Aside::of(gpu, device);
-        let fate = Fate::default();
-        let watched = fate.clone();
+        let progress = SharedProgress::default();
+        let watched = progress.clone();
         let ask = move || {
             let question = Question {
                 avatar: &avatar,
@@ -75,49 +75,50 @@ impl BackgroundTrials {
             tracing::warn!("quads and tiles are not compared: {error}");
             return None;
         }
-        Some(Self { fate })
+        Some(Self { progress })
     }
 
-    /// The program ends, or may be ended without notice: what is under trial is not to blame for
-    /// that.
+    /// The program ends, or may be ended without notice: the variant under trial is not to blame
+    /// for that.
     pub fn withdraw(&self) {
         trial::withdraw();
     }
 
-    /// Whether they may have brought the window's device down, which is lost now. True once: a loss
-    /// after that is the window's own.
+    /// Whether the trials may have caused the loss of the window's device. True at most once: later
+    /// losses are the window's own.
     pub fn may_have_lost_the_device(&self) -> bool {
-        self.fate.excuses(Instant::now())
+        self.progress.excuses(Instant::now())
     }
 }
 
-/// How the trials fare, for the window to look at.
+/// The progress of the trials, which the window watches.
 #[derive(Clone)]
-struct Fate(Arc<Mutex<TrialProgress>>);
+struct SharedProgress(Arc<Mutex<TrialProgress>>);
 
-impl Default for Fate {
+impl Default for SharedProgress {
     fn default() -> Self {
         Self(Arc::new(Mutex::new(TrialProgress::Running)))
     }
 }
 
-impl Fate {
+impl SharedProgress {
     /// The trials end, some with an error.
     fn end(&self, error: Option<&Error>, now: Instant) {
-        let mut progress = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        // One that was an excuse already is none for a later loss.
-        if let TrialProgress::Running = *progress {
-            *progress = match error {
+        let mut own = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        // An outcome excuses at most one lost device.
+        if let TrialProgress::Running = *own {
+            *own = match error {
                 Some(Error::DeviceLost(_) | Error::Timeout { .. }) => TrialProgress::Lost(now),
                 _ => TrialProgress::Ended,
             };
         }
     }
 
-    /// Whether they excuse the window's way to draw for a loss of its device. Once.
+    /// Whether the trials, and not the window's method, may be to blame for a lost device. True at
+    /// most once.
     fn excuses(&self, now: Instant) -> bool {
-        let mut progress = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        match std::mem::replace(&mut *progress, TrialProgress::Ended) {
+        let mut own = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match std::mem::replace(&mut *own, TrialProgress::Ended) {
             TrialProgress::Running => true,
             TrialProgress::Lost(at) => now.saturating_duration_since(at) <= ONE_RESET,
             TrialProgress::Ended => false,
@@ -139,18 +140,18 @@ mod tests {
     fn one_reset_of_both_devices_is_blamed_on_the_trial_once() {
         for error in [LOST, HUNG] {
             // The trials' loss is noticed first.
-            let fate = Fate::default();
+            let progress = SharedProgress::default();
             let now = Instant::now();
-            fate.end(Some(&error), now);
-            assert!(fate.excuses(now + ONE_RESET / 2), "{error}");
-            assert!(!fate.excuses(now + ONE_RESET / 2), "{error}: again");
+            progress.end(Some(&error), now);
+            assert!(progress.excuses(now + ONE_RESET / 2), "{error}");
+            assert!(!progress.excuses(now + ONE_RESET / 2), "{error}: again");
 
             // The window's is, while the trials still wait.
-            let fate = Fate::default();
-            assert!(fate.excuses(now), "{error}");
-            fate.end(Some(&error), now + Duration::from_secs(1));
+            let progress = SharedProgress::default();
+            assert!(progress.excuses(now), "{error}");
+            progress.end(Some(&error), now + Duration::from_secs(1));
             assert!(
-                !fate.excuses(now + Duration::from_secs(2)),
+                !progress.excuses(now + Duration::from_secs(2)),
                 "{error}: again"
             );
         }
@@ -160,14 +161,17 @@ mod tests {
     fn a_loss_by_itself_is_the_windows_own() {
         let now = Instant::now();
         let later = now + ONE_RESET + Duration::from_secs(1);
-        let fate = Fate::default();
-        fate.end(Some(&LOST), now);
-        assert!(!fate.excuses(later), "long after the trials' loss");
-        let fate = Fate::default();
-        fate.end(None, now);
-        assert!(!fate.excuses(now), "the trials ended well");
-        let fate = Fate::default();
-        fate.end(Some(&Error::Overlay("a test".into())), now);
-        assert!(!fate.excuses(now), "they ended with a device that lives");
+        let progress = SharedProgress::default();
+        progress.end(Some(&LOST), now);
+        assert!(!progress.excuses(later), "long after the trials' loss");
+        let progress = SharedProgress::default();
+        progress.end(None, now);
+        assert!(!progress.excuses(now), "the trials ended well");
+        let progress = SharedProgress::default();
+        progress.end(Some(&Error::Overlay("a test".into())), now);
+        assert!(
+            !progress.excuses(now),
+            "they ended with a device that lives"
+        );
     }
 }

@@ -28,7 +28,7 @@ const BACKGROUNDS: [[f32; 3]; 4] = [
     [0.10, 0.12, 0.17],
 ];
 
-/// What is behind the avatar.
+/// The background of the avatar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewerBackground {
     /// Display-referred RGB, 0 to 1.
@@ -176,7 +176,7 @@ impl ViewerScene {
         &self.playback
     }
 
-    /// What is behind the avatar.
+    /// The background of the avatar.
     pub fn background(&self) -> ViewerBackground {
         self.background
     }

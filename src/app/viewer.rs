@@ -919,8 +919,8 @@ impl Viewer {
         is_excused
     }
 
-    /// The device was lost or hangs. Returns whether the next one draws in another way: the way that
-    /// was measured to be fastest is then not used any more.
+    /// The device was lost or hangs. Returns whether the next one draws in another way: the way
+    /// that was measured to be fastest is then not used any more.
     fn strike_off(&self, failure: &Error) -> bool {
         let painter = self.painter.as_ref();
         painter.is_some_and(|painter| painter.strike_off(failure))

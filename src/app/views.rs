@@ -7,7 +7,7 @@ use effigy_core::{
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// A view of the avatar, as it faces now.
+/// A standard view of the avatar, relative to the way that it faces now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StandardView {
     /// Key 1.
@@ -24,7 +24,7 @@ pub enum StandardView {
     Face,
 }
 
-/// What a view looks at, and from where.
+/// The box that a view shows, and the direction that it looks from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewTarget {
     /// Lower and upper corner of what it shows, metres.

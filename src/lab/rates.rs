@@ -15,8 +15,8 @@ pub const SCHEMA: &str = "effigy-rates-1";
 
 /// Times that everything is measured; the median counts.
 const RUNS: usize = 5;
-/// Bytes of the copies, smallest first. The first is as good as none: its time is that of a dispatch
-/// that waits for the one before.
+/// Bytes of the copies, smallest first. The first is as good as none: its time is that of a
+/// dispatch that waits for the one before.
 const COPIES: [u64; 6] = [16, 64 << 10, 1 << 20, 8 << 20, 64 << 20, 256 << 20];
 /// Most copies of one measurement.
 const MOST_COPIES: u32 = 1 << 12;
@@ -146,8 +146,9 @@ const FILLINGS: [Filling; 6] = {
     ]
 };
 
-/// Measures all rates of a device. `show` hears of each when it begins, and how many of how many are
-/// done; `keep` gets what is measured so far after each. No image is filled where the driver can't draw triangles.
+/// Measures all rates of a device. `show` hears of each when it begins, and how many of how many
+/// are done; `keep` gets what is measured so far after each. No image is filled where the driver
+/// can't draw triangles.
 ///
 /// # Errors
 /// When the device fails.
@@ -259,7 +260,7 @@ fn a_second(count: f64, us: f64) -> f64 {
     if us > 0.0 { count / us * 1e6 } else { 0.0 }
 }
 
-/// The time of one of some things, and how many there were.
+/// The mean time of one repetition, and how many there were.
 struct MeanTime {
     times: u32,
     each: Duration,

@@ -184,7 +184,7 @@ pub trait Race {
     fn pair(&mut self, number: usize) -> Result<[f64; 2]>;
 }
 
-/// A measurement of two methods.
+/// A trial of two methods, in which their frames are timed in turn.
 pub struct MethodTrial {
     /// That of the device's class.
     pub class: RasterMethod,

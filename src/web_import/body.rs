@@ -1,5 +1,5 @@
-//! The avatar that a clip is for, as far as motion of another body needs it. The page's main library
-//! writes it, `AvatarCanvas::skeleton` and `AvatarCanvas::skin`.
+//! The avatar that a clip is for, as far as motion of another body needs it. The page's main
+//! library writes it, `AvatarCanvas::skeleton` and `AvatarCanvas::skin`.
 
 use bytemuck::{Pod, Zeroable};
 use effigy_core::{

@@ -110,8 +110,8 @@ impl Project {
         self.capacity
     }
 
-    /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among those
-    /// of all avatars, Gaussians.
+    /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among
+    /// those of all avatars, Gaussians.
     pub fn fill_instance(&self, block: &mut FrameBlock, first: u32) {
         block.cache_start = self.cache_start + POSE_CACHE_WORDS * first;
     }

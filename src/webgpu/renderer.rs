@@ -191,12 +191,11 @@ impl Renderer {
         Ok(true)
     }
 
-    /// Draws small images of the avatar that was uploaded from its levels, too, from the next frame
-    /// on: for a renderer that was made of the avatar without them, so that a page's first frame
-    /// does not wait for what it can do without. No kernel is compiled unless a level has longer
-    /// arrays than the avatar. False, and nothing has changed, where there are none, they are there
-    /// already, the avatar is another, or the buffers have no room for as many as may be drawn from
-    /// levels.
+    /// Draws small images of the avatar from its levels, too, from the next frame on. This is for a
+    /// renderer that was made of the avatar without them, so that a page's first frame does not
+    /// wait for them. No kernel is compiled unless a level has longer arrays than the avatar.
+    /// Returns false and changes nothing if the avatar has no levels or is another one, if the
+    /// renderer has levels already, or if the capacity is too small to draw from levels.
     ///
     /// # Errors
     /// When [`Avatar::check`] finds a fault, or the device is lost or out of memory.
@@ -206,7 +205,7 @@ impl Renderer {
         }
         avatar.check()?;
         let bounds = bounds_of(avatar, &self.options);
-        if !self.has_room(&bounds)? {
+        if !self.has_capacity(&bounds)? {
             return Ok(false);
         }
         let levels = model::levels(avatar);
@@ -228,12 +227,13 @@ impl Renderer {
     }
 
     /// Whether the buffers hold all that frames of an avatar with these bounds may draw.
-    fn has_room(&self, bounds: &AvatarBounds) -> Result<bool> {
+    fn has_capacity(&self, bounds: &AvatarBounds) -> Result<bool> {
         let capacity = Capacity::new(&self.options, bounds)?;
         Ok(capacity.gaussians <= self.capacity.gaussians && capacity.posed <= self.capacity.posed)
     }
 
-    /// Makes room for these levels in place of those before. The harmonics must be replaced, too.
+    /// Makes buffers for these levels in place of those before. The harmonics must be replaced,
+    /// too.
     fn make_room(&mut self, levels: &[Avatar]) -> Result<()> {
         self.model.make_room(&self.gpu, levels)?;
         self.project
@@ -264,7 +264,7 @@ impl Renderer {
         let degree = SphericalHarmonics::degree_of(avatar);
         if degree != self.sh.as_ref().map(SphericalHarmonics::degree)
             || !self.model.fits(avatar)
-            || !self.has_room(&bounds)?
+            || !self.has_capacity(&bounds)?
         {
             return Ok(false);
         }

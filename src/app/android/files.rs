@@ -70,8 +70,8 @@ impl PhoneFiles {
         FileList::new(names, 0, move |index| self.load(index))
     }
 
-    /// The avatar to start with: the demo, which loads at once. Motion of other programs, which takes
-    /// longer, is there when it is chosen again.
+    /// The avatar to start with: the demo, which loads at once. Motion of other programs, which
+    /// takes longer, is there when it is chosen again.
     pub fn first(&self) -> anyhow::Result<LoadedAvatar> {
         let demo = self.demo()?;
         let clips = self.own_clips(&demo);

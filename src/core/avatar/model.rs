@@ -178,7 +178,8 @@ pub struct LevelError {
     /// Relative error of the mean over all images of the channel where it is largest: above 0 where
     /// the level is too light.
     pub color: f64,
-    /// Relative error of the mean coverage over all images: above 0 where the level covers too much.
+    /// Relative error of the mean coverage over all images: above 0 where the level covers too
+    /// much.
     pub coverage: f64,
 }
 

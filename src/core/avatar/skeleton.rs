@@ -132,8 +132,8 @@ impl Skeleton {
         }
     }
 
-    /// This skeleton with joints that are elsewhere in their parents. `bone`: by how much, metres in
-    /// the rest pose; the root stays.
+    /// This skeleton with joints that are elsewhere in their parents. `bone`: by how much, metres
+    /// in the rest pose; the root stays.
     ///
     /// # Panics
     /// When there is not one a joint.

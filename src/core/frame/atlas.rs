@@ -22,7 +22,7 @@ const HALVINGS: usize = 32;
 /// Pixels that an atlas may have where the image has fewer.
 const LEAST_PIXELS: u64 = 1 << 22;
 
-/// What an avatar's level depends on besides its size.
+/// The options and the history that decide an avatar's level, besides its size.
 #[derive(Clone, Copy, Debug)]
 pub struct LevelInput {
     /// Levels are for avatars whose size decides how they are drawn.
@@ -33,7 +33,7 @@ pub struct LevelInput {
     pub coarser: usize,
 }
 
-/// What an avatar in view covers of the image, and how large it should be drawn.
+/// The part of the image that an avatar in view covers, and how large it should be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct AvatarFootprint {
     /// Encloses all that is drawn of it. None if it has no bounds; such avatars are drawn as large
@@ -48,7 +48,7 @@ pub struct AvatarFootprint {
     pub most: f64,
     /// The level that it is drawn from in a slot of its own, and its samples there.
     pub chosen: ChosenLevel,
-    /// What the level was chosen by.
+    /// The input that the level was chosen from.
     pub input: LevelInput,
 }
 
@@ -133,7 +133,7 @@ impl AtlasSlot {
     }
 }
 
-/// Width and height of what holds an image of some sides, px, drawn so many times as large.
+/// Width and height of an image with these sides, px, enlarged by a factor, in whole pixels.
 fn texels(sides: UVec2, factor: f64) -> UVec2 {
     (factor * sides.as_dvec2()).ceil().as_uvec2()
 }
@@ -164,7 +164,7 @@ impl Arrangement {
     }
 }
 
-/// Avatars that share a slot, or one that is drawn as large as it is shown.
+/// Avatars that share a slot, or one avatar that is drawn as large as it is shown.
 struct AvatarGroup {
     members: Vec<usize>,
     around: Option<PlaneRect>,
@@ -280,8 +280,8 @@ pub fn arrange(footprints: &[AvatarFootprint], size: [u32; 2]) -> Arrangement {
     Arrangement::without_slots(footprints.len())
 }
 
-/// Pixels that an atlas may have for so many small avatars in an image of a size. A crowd has
-/// fewer, down to a quarter: its time goes into pixels, and few samples do for it
+/// Pixels that an atlas may have for this many small avatars in an image of this size. A crowd gets
+/// fewer, down to a quarter: pixels take most of its time, and few samples suffice
 /// (docs/experiments/050).
 fn most_pixels(size: [u32; 2], small: usize) -> u64 {
     let all = LEAST_PIXELS.max(u64::from(size[0]) * u64::from(size[1]));
@@ -313,9 +313,9 @@ fn join_small(groups: &mut Vec<AvatarGroup>) -> bool {
     groups.len() < before
 }
 
-/// Draws groups less large until no side is longer than an atlas's and all of them have no more than
-/// so many pixels: those with the most alike, so that none of them changes by a step as others come
-/// and go. Returns whether one is drawn as large as it is shown from now on.
+/// Reduces factors until no side is longer than an atlas's and all groups together have at most
+/// `pixels`. The largest groups shrink alike, so that no factor jumps as avatars come and go.
+/// Returns whether a group is drawn as large as it is shown from now on.
 fn shrink(groups: &mut [AvatarGroup], pixels: u64) -> bool {
     let small = || groups.iter().filter(|group| group.is_small());
     let fits = |most: f64| {
@@ -389,8 +389,8 @@ fn settle_sides(groups: &mut [AvatarGroup]) -> bool {
     settled
 }
 
-/// Places the slots of small groups, which must not be too wide, in rows, the tallest first. None if
-/// they do not fit.
+/// Places the slots of small groups, which must not be too wide, in rows, the tallest first. None
+/// if they do not fit.
 fn pack(groups: &[AvatarGroup], count: usize) -> Option<Arrangement> {
     let mut arrangement = Arrangement::without_slots(count);
     let mut small: Vec<&AvatarGroup> = groups.iter().filter(|group| group.is_small()).collect();

@@ -22,7 +22,7 @@ pub struct PoseLayout {
 }
 
 impl PoseLayout {
-    /// With room for so many poses of an avatar with these constants.
+    /// The layout for as many poses as the capacity has, of an avatar with these constants.
     pub fn new(constants: &FrameBlock, capacity: Capacity) -> Self {
         Self {
             vectors: constants.parts * constants.feature_quads + constants.nodes.div_ceil(2),

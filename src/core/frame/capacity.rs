@@ -5,11 +5,11 @@ use super::{RendererOptions, Unusable};
 use crate::scene::{AvatarBounds, detail};
 use std::{cmp::Ordering, collections::BinaryHeap};
 
-/// More avatars than this are a crowd. With up to this many, a frame can draw all Gaussians of each,
-/// unless options say otherwise, and an atlas may have all its pixels.
+/// More avatars than this are a crowd. With up to this many, a frame can draw all Gaussians of
+/// each, unless options say otherwise, and an atlas may have all its pixels.
 pub(super) const FEW: usize = 16;
 
-/// What is drawn of an avatar.
+/// The part of an avatar that is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Portion {
     /// Which of the avatar's levels ([`crate::scene::levels`]); 0 is the avatar itself.

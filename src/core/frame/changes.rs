@@ -15,7 +15,7 @@ pub enum Skinning {
     Cached,
 }
 
-/// The stages that one avatar needs in a frame.
+/// What has changed about an avatar since its last frame, and so which stages it needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AvatarChanges {
     /// Mlp and nodes run: the networks' input has changed.
@@ -28,12 +28,12 @@ pub struct AvatarChanges {
     pub skinning: Skinning,
 }
 
-/// How a frame sees an avatar.
+/// How a frame draws an avatar, apart from its pose.
 #[derive(Clone, Copy, Debug)]
 pub struct AvatarView {
     /// The camera of the image that it is drawn into.
     pub camera: Camera,
-    /// What is drawn of it.
+    /// The portion of it that is drawn.
     pub portion: Portion,
     /// The coarsest of its levels by which nothing is lost.
     pub near: usize,
@@ -43,7 +43,7 @@ pub struct AvatarView {
     pub cache_start: u32,
 }
 
-/// The state of an avatar in the last image.
+/// An avatar as the last image shows it.
 #[derive(Clone, Debug)]
 struct DrawnState {
     joints: Vec<DAffine3>,
@@ -160,8 +160,8 @@ impl ChangeTracker {
 
     /// The parts whose networks run in a frame: those whose input has changed since they ran and
     /// that something in `visible` depends on. The others wait until they come into view. A frame
-    /// that fills the pose cache runs all that is due, and so does one where `visible` is None. None
-    /// run where they move nothing that is drawn: `correctives` is false.
+    /// that fills the pose cache runs all that is due, and so does one where `visible` is None.
+    /// None run where they move nothing that is drawn: `correctives` is false.
     pub fn schedule_networks(
         &mut self,
         changes: &AvatarChanges,

@@ -19,14 +19,14 @@ pub struct Counters {
     /// Avatars drawn larger than they are shown, then averaged.
     #[serde(default)]
     pub supersampled: u64,
-    /// Samples a pixel along each axis, of the avatar that has the most; 0 where none is in view.
+    /// Samples a pixel along each axis, of the avatar with the most; 0 without avatars in view.
     #[serde(default)]
     pub most_samples: u64,
     /// The coarsest level that an avatar is drawn from; 0 is the avatar itself.
     #[serde(default)]
     pub coarsest_level: u64,
-    /// Longest side of the box around the largest avatar in view, px of the image; 0 where sizes
-    /// decide nothing. No count: reports don't have it.
+    /// Longest side of the box around the largest avatar in view, px of the image; 0
+    /// without supersampling. Not a count: reports don't have it.
     #[serde(skip)]
     pub longest_side: u64,
     /// Pixels of the image that avatars are drawn into before they are averaged, gaps between them
@@ -42,13 +42,13 @@ pub struct Counters {
     /// Gaussians that were not drawn: those of culled avatars, those that the level of detail
     /// skips, and those culled one by one.
     pub culled: u64,
-    /// Why Gaussians were culled one by one. None where that was not counted.
+    /// Why Gaussians were culled one by one. None if that was not counted.
     pub reasons: Option<CullReasons>,
     /// Gaussians sorted and rasterized.
     pub drawn: u64,
     /// Networks that ran.
     pub networks: u64,
-    /// Parts all outside the view.
+    /// Parts that are entirely outside the view.
     pub parts_outside: u64,
     /// Gaussians projected from the pose cache: all that an avatar's level of detail draws, or
     /// none.
@@ -56,13 +56,13 @@ pub struct Counters {
     pub cached: u64,
     /// With quads: fragment shader invocations; some drivers count only those that blend. With
     /// tiles: the pixels of all 4 × 4 squares that splats were put on. The two can't be compared.
-    /// None where the device has no pipeline statistics.
+    /// None if the device has no pipeline statistics.
     pub fragments: Option<u64>,
     /// With quads that are tested against the saturation depth: how often its samples evaluated a
-    /// splat. None where that was not counted.
+    /// splat. None if that was not counted.
     #[serde(default)]
     pub samples: Option<u64>,
-    /// Pixels that something was drawn into. None where they were not counted.
+    /// Pixels that something was drawn into. None if they were not counted.
     pub covered: Option<u64>,
     /// Pixels of the damage rectangle, empty ones included.
     #[serde(alias = "area")]
@@ -141,7 +141,7 @@ impl Counters {
             .filter_map(|(name, count)| Some((name, count?)))
     }
 
-    /// Fragments shaded for each covered pixel. None where either is unknown or nothing is covered.
+    /// Fragments shaded for each covered pixel. None if either is unknown or nothing is covered.
     pub fn overdraw(&self) -> Option<f64> {
         let fragments = self.fragments?;
         let covered = self.covered?;

@@ -6,7 +6,7 @@ use super::resource::{PipelineStages, Resource};
 use bitflags::bitflags;
 
 bitflags! {
-    /// What a kernel does with memory.
+    /// How a kernel uses memory.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Access: u8 {
         /// Reads it.
@@ -21,9 +21,9 @@ bitflags! {
 pub struct Binding {
     /// Its number with Vulkan. Resources that are parts of one buffer there have one number.
     pub number: u32,
-    /// What is bound.
+    /// The resource that is bound.
     pub resource: Resource,
-    /// What the kernel does with it.
+    /// How the kernel uses it.
     pub access: Access,
 }
 
@@ -32,7 +32,7 @@ pub struct Binding {
 pub struct KernelSpec {
     /// Paths below `shaders` of its modules, of which a renderer runs one.
     pub modules: &'static [&'static str],
-    /// What it binds beside the frame's block, in the order of numbers.
+    /// The resources that it binds beside the frame's block, in the order of their numbers.
     pub bindings: &'static [Binding],
 }
 

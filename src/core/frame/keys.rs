@@ -7,7 +7,7 @@ use crate::layout::SORT_CULLED;
 pub enum KeyBits {
     /// Two passes; two keys a word. For bins.
     Sixteen,
-    /// Three passes. What is left of a key after the first shares a word with the index of one of
+    /// Three passes. The bits left of a key after the first share a word with the index of one of
     /// 2¹⁸ Gaussians. For depths, steps under 1 µm for a person, and for tiles of training.
     TwentyTwo,
     /// Four passes. For training, whose keys are depths in f32.
@@ -21,7 +21,7 @@ pub enum EntryForm {
     Keys = 0,
     /// A key and a value in turn.
     Pairs = 1,
-    /// What is left of the key, and the value, in a word.
+    /// The bits left of the key, and the value, in one word.
     Packed = 2,
     /// A value a word: after the last pass.
     Values = 3,
@@ -88,7 +88,7 @@ impl KeyBits {
     }
 
     /// Bits that the value, which is an index, has beside the bits left of the key in the packed
-    /// form: all that are left when it begins. 24 where it never does.
+    /// form: all bits that are left when that form begins. 24 if it never begins.
     pub fn value_bits(self, capacity: u32) -> u32 {
         (1..self.passes())
             .find(|&pass| self.packs_before(pass, capacity))

@@ -34,11 +34,12 @@ pub struct RendererOptions {
     /// The low-pass to draw with. None: the avatar's own, with which alone it looks as it was
     /// learned.
     pub filter: Option<Filter>,
-    /// Most copies of the avatar in a scene, 1 to 1024; memory grows with it.
+    /// Maximum number of copies of the avatar in a scene, 1 to 1024; memory grows with it.
     pub instances: usize,
-    /// Most Gaussians that a frame draws, of all copies together; memory grows with it, too. Where
-    /// there are more, those with the most a pixel are drawn from coarser levels ([`super::room`]).
-    /// None: all of every copy; of more than 16 copies as many as four have.
+    /// Maximum number of Gaussians that a frame draws, of all copies together; memory grows with it,
+    /// too. If there are more, the copies with the most Gaussians a pixel are drawn from coarser
+    /// levels ([`super::capacity`]). None: those of all copies; with more than 16 copies, as many as
+    /// four have.
     pub gaussians: Option<u32>,
     /// Count fragments, where the device can, and why Gaussians are culled. For measurements: some
     /// devices are slower then.
@@ -55,8 +56,9 @@ impl RendererOptions {
     }
 
     /// These options for an image that is exact: nothing is skipped or added that changes it by
-    /// more than rounding. Quads draw what lies behind the saturation depth, small avatars are drawn
-    /// as the model says and not as the area of each pixel shows them, and all of a crowd is drawn.
+    /// more than rounding. Quads draw what lies behind the saturation depth, small avatars are
+    /// drawn as the model says and not as the area of each pixel shows them, and all of a crowd is
+    /// drawn.
     pub fn exactly(self) -> Self {
         Self {
             exact: true,

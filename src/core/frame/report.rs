@@ -1,4 +1,4 @@
-//! What a finished frame reports: times on device and host, and counts.
+//! The report of a finished frame: times on device and host, and counts.
 
 use super::{Counters, Stage, schedule::Equipment};
 use std::time::Instant;
@@ -32,8 +32,8 @@ pub struct HostTimes {
 /// The report of a finished frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrameReport {
-    /// GPU time of each stage that ran, ms, in order. A stage that ran for two layers is there twice.
-    /// Empty where the device has no timestamps.
+    /// GPU time of each stage that ran, ms, in order. A stage that ran for two layers is there
+    /// twice. Empty where the device has no timestamps.
     pub stages: Vec<(&'static str, f64)>,
     /// When each of them began and ended, in ticks of the device, whose low
     /// `vulkan::Probe::timestamp_bits` bits are valid. Empty where ticks of different frames can't
@@ -62,7 +62,7 @@ impl FrameReport {
     }
 }
 
-/// Time of a stage among [`FrameReport::stages`], of all layers, ms. None where it is not there.
+/// Time of a stage among [`FrameReport::stages`], of all layers, ms. None if it is not among them.
 pub fn stage_ms(stages: &[(&'static str, f64)], name: &str) -> Option<f64> {
     stages
         .iter()

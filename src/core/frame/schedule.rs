@@ -37,7 +37,7 @@ pub enum SkipReason {
     NothingSmall,
 }
 
-/// What a backend records.
+/// A command that a backend records.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameCommand {
     /// Orders memory. Backends that order it by themselves pass over it.
@@ -78,7 +78,7 @@ impl ScheduledStage {
     }
 }
 
-/// What a backend does next.
+/// A step of a frame, which a backend carries out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ScheduleStep {
     /// Work that belongs to no stage.
@@ -89,7 +89,7 @@ pub enum ScheduleStep {
     Skip(Stage, SkipReason),
 }
 
-/// What a renderer has, and what its device needs: the same from frame to frame.
+/// The stages and options of a renderer, which stay the same from frame to frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Equipment {
     /// The avatar's colours change with the view.
@@ -135,17 +135,17 @@ impl Equipment {
     }
 }
 
-/// What the device holds from earlier frames.
+/// The state that the device holds from earlier frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DeviceState {
-    /// Keys that the control says the sort takes; None where that is not known.
+    /// Number of keys in the control, which the sort takes; None if it is not known.
     pub key_count: Option<u32>,
 }
 
-/// A frame, from its first pass to its last.
+/// The steps of a frame, from its first pass to its last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameSchedule {
-    /// What the backend does, in order.
+    /// The steps, in order.
     pub steps: Vec<ScheduleStep>,
     /// Keys that the sort takes in this frame: [`DeviceState::key_count`] of the next.
     pub key_count: u32,
@@ -251,7 +251,7 @@ impl FrameSchedule {
     }
 }
 
-/// What is known of a resource while steps are put in order.
+/// The accesses to a resource so far, while steps are put in order.
 #[derive(Clone, Copy)]
 struct History {
     /// Where it was written last, and where that can be seen.
@@ -277,7 +277,7 @@ impl Default for History {
 /// Puts steps in order, with the barriers that the passes' uses of memory ask for.
 struct Recorder {
     steps: Vec<ScheduleStep>,
-    /// Keys that the control says the sort takes; None where that is not known.
+    /// Number of keys in the control, which the sort takes; None if it is not known.
     key_count: Option<u32>,
     /// The stage that commands go into, while there is one.
     open: Option<ScheduledStage>,

@@ -77,8 +77,8 @@ pub struct Layer<'a> {
     pub drawn: PixelRect,
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
-    /// Pixels of the box around an avatar for each Gaussian drawn of it, for the avatar in view with
-    /// the fewest. Infinite if this decides nothing.
+    /// Pixels of the box around an avatar for each Gaussian drawn of it, for the avatar in view
+    /// with the fewest. Infinite if this decides nothing.
     pub pixels_a_gaussian: f64,
 }
 
@@ -129,7 +129,7 @@ pub struct FramePlan<'a> {
     pub drawn_rect: PixelRect,
 }
 
-/// Everything that decides what the next frame has to do.
+/// Everything that the plan of the next frame depends on.
 #[derive(Clone, Copy)]
 pub struct PlanInput<'a, 'pose> {
     /// One pose an avatar, at most [`RendererOptions::instances`].
@@ -285,7 +285,7 @@ impl FrameState {
         avatars
     }
 
-    /// What is drawn of each avatar in view, within the capacity.
+    /// The portion of each avatar in view that is drawn, within the capacity.
     fn portions(
         &self,
         input: &PlanInput,
@@ -302,7 +302,8 @@ impl FrameState {
         portions
     }
 
-    /// What is drawn of an avatar in view if the capacity suffices. Notes which level was near enough.
+    /// The portion of an avatar in view that is drawn if the capacity suffices. Notes which level
+    /// was near enough.
     fn portion(
         &self,
         input: &PlanInput,

@@ -8,7 +8,7 @@ use crate::{
     scene::{AvatarBounds, Camera, PoseShape, Posed},
 };
 
-/// Most avatars of a scene.
+/// Maximum number of avatars in a scene.
 const MAX_INSTANCES: usize = 1024;
 
 fn unusable(what: &str, found: impl ToString, expected: impl ToString) -> Unusable {

@@ -9,7 +9,7 @@ pub const TILING: TileGrid = TileGrid {
     blocks_per_splat: 1,
 };
 
-/// A way to cut images into tiles.
+/// How images are cut into tiles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TileGrid {
     /// Maximum number of tiles along each side of an image; a power of two.

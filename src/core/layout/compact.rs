@@ -225,8 +225,8 @@ pub fn stored_node_weights(avatar: &Avatar, gaussian: usize) -> [f64; 3] {
     weights
 }
 
-/// The numbers of a Gaussian that an [`Avatar`] can't hold as the GPU's model does, since its own
-/// are f16 or computed.
+/// Neutral attributes of a Gaussian that an [`Avatar`] can't hold with the GPU's rounding, since
+/// its own are f16 or computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NeutralGaussian {
     /// Weights of its three nodes.
@@ -307,8 +307,8 @@ pub fn row_scale(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Avatar {
-    /// This avatar with the rounding of the GPU's model, except what [`NeutralGaussian::stored`] gives:
-    /// here f16 rounds it once more.
+    /// This avatar with the rounding of the GPU's model, except what [`NeutralGaussian::stored`]
+    /// gives: here f16 rounds it once more.
     pub fn compact(&self) -> Self {
         let mut compact = self.clone().balanced();
         let scales = LogScales::from_avatar(self);

@@ -109,7 +109,7 @@ pub fn raster_backward(
     canvas: &Canvas,
     gradient: &[[f64; 4]],
 ) -> Vec<SplatGradient> {
-    /// What has been seen of a pixel so far.
+    /// The colour of a pixel so far, and the transmittance that is left.
     struct BlendedPixel {
         transmittance: f64,
         sum: f64,

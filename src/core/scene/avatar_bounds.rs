@@ -15,11 +15,11 @@ use std::ops::Range;
 /// skinning, which may scale it.
 const MARGIN: f64 = 0.05;
 /// Margin around visible parts for [`Visible::rect`], metres: several times what learned
-/// correctives move nodes by (the demo's by 5 cm in its own clip, by 11 where every input is at its
-/// furthest). What a model's correctives move further is cut off, in every frame alike.
+/// correctives move nodes by (the demo's by 5 cm in its own clip, by 11 with every input at its
+/// furthest). Splats that correctives move further are cut off, in every frame alike.
 const RECT_MARGIN: f64 = 0.15;
-/// Larger inputs are none that correctives are learned for: joint angles are up to π, expressions a
-/// few standard deviations. Of how far they move nodes no margin says anything.
+/// Correctives are not trained beyond these inputs, and no margin bounds them there: joint angles
+/// are up to π, expressions a few standard deviations.
 const INPUT_MAX: f64 = 10.0;
 /// Minimum skin weight (0–255) for a joint to widen the avatar's bounds. Culling of parts uses all
 /// joints.

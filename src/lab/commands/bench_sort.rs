@@ -1,5 +1,5 @@
-//! `effigy-lab bench-sort`: keys per second by count, key bits and variant, each result checked against
-//! the CPU first.
+//! `effigy-lab bench-sort`: keys per second by count, key bits and variant, each result checked
+//! against the CPU first.
 
 use crate::sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name};
 use anyhow::ensure;
@@ -144,9 +144,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         out.write_json(&report)?;
         println!("wrote {}", out.display());
     }
-    // A variant that was not asked for and that the self-test does not choose, or that it chooses at
-    // another size of subgroups, may be wrong on a device: its failure is printed, and the command
-    // succeeds.
+    // A variant that was not asked for and that the self-test does not choose, or that it chooses
+    // at another size of subgroups, may be wrong on a device: its failure is printed, and the
+    // command succeeds.
     let is_required = |row: &SortRow| {
         if wanted.is_empty() {
             row.variant == auto.name() && row.subgroup.is_none()
@@ -251,7 +251,7 @@ fn measure_all(
     Ok(())
 }
 
-/// What is sorted.
+/// The keys that are sorted.
 struct SortInput {
     keys: Vec<u32>,
     bits: KeyBits,

@@ -124,7 +124,7 @@ impl DrawnCase {
     }
 }
 
-/// A case's frame, drawn several times.
+/// The images of a case's frame, which is drawn several times.
 struct CaseImages {
     first: FrameImage,
     /// Drawn again after another frame.

@@ -7,8 +7,9 @@
 //! holds it, computed from the model and, where a case allows it, from the pose cache. A case
 //! follows from the seed and its number alone.
 //!
-//! A `draft` of a `body` is made hard by `adversarial`, becomes a `case`, some of them `small`, and is drawn and compared
-//! by `check`, with the bounds of `bound`; broken inputs are tried by `refusal`.
+//! A `draft` of a `body` is made hard by `adversarial`, becomes a `case`, some of them `small`, and
+//! is drawn and compared by `check`, with the bounds of `bound`; broken inputs are tried by
+//! `refusal`.
 
 mod adversarial;
 mod body;

@@ -1,6 +1,6 @@
-//! One verdict on a GPU, from the files that a run of `tools/gpu/run.sh` left in a folder: the steps
-//! and what became of them, tests, sorts, rates, frames and a soak. [`Verdict`] is the whole JSON
-//! file; the fields are its keys. [`page`](Verdict::page) is the same as a page of Markdown.
+//! One verdict on a GPU, from the files that a run of `tools/gpu/run.sh` left in a folder: the
+//! steps and what became of them, tests, sorts, rates, frames and a soak. [`Verdict`] is the whole
+//! JSON file; the fields are its keys. [`page`](Verdict::page) is the same as a page of Markdown.
 //!
 //! What is missing in the folder is missing in the verdict. Nothing that did not run counts as
 //! passed.
@@ -153,7 +153,7 @@ fn bench_files(folder: &Path) -> io::Result<Vec<String>> {
     Ok(names)
 }
 
-/// The files of a folder, each of which may be missing.
+/// A folder of results, whose files may be missing.
 struct ResultFolder<'a> {
     folder: &'a Path,
     unread: Vec<String>,

@@ -28,7 +28,7 @@ impl StepOutcome {
     }
 }
 
-/// One step.
+/// A step of the script that was measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VerdictStep {
     /// Its name, also that of its log.

@@ -62,7 +62,7 @@ pub struct Sample {
     pub dropped: u32,
 }
 
-/// Frames since the last decision.
+/// The frames since the last decision.
 #[derive(Clone, Copy, Debug, Default)]
 struct DecisionWindow {
     began: Option<f64>,

@@ -1,6 +1,6 @@
 //! A reading of the heat at one time.
 
-/// Readings at one time. None where the system has no such sensor.
+/// Readings of the sensors at one time. None if the system has no such sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ThermalReading {
     /// Thermal headroom used up: 0 is cool, at 1 the system lowers the clock much, as Android's

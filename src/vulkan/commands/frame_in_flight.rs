@@ -82,7 +82,7 @@ pub struct HostMarks {
     pub recorded: Instant,
 }
 
-/// Who counts a frame's fragments.
+/// How a frame's fragments are counted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Counted {
     No,

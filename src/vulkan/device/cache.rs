@@ -13,16 +13,16 @@ use std::{
 /// Begins the names of files with pipelines.
 const PIPELINES: &str = "pipelines-";
 
-/// Whether a folder has no compiled pipelines yet: the first program that draws with it waits for the
-/// driver to compile shaders.
+/// Whether a folder has no compiled pipelines yet: the first program that draws with it waits for
+/// the driver to compile shaders.
 pub fn is_first_start(folder: Option<&Path>) -> bool {
     let files = folder.and_then(|folder| fs::read_dir(folder).ok());
     let mut names = files.into_iter().flatten().flatten();
     !names.any(|file| file.file_name().to_string_lossy().starts_with(PIPELINES))
 }
 
-/// Writes a file of the cache, and the folder where there is none. It appears whole or not at all,
-/// also when two programs write at once.
+/// Writes a file of the cache, and creates the folder if it is missing. It appears whole or not at
+/// all, also when two programs write at once.
 pub(crate) fn write(path: &Path, data: &[u8]) -> io::Result<()> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
@@ -40,6 +40,7 @@ pub(crate) struct PipelineCache {
     loaded: usize,
 }
 
+/// A Vulkan pipeline cache.
 struct DeviceCache {
     handle: PipelineCacheHandle,
     device: Arc<Device>,
@@ -80,7 +81,7 @@ impl PipelineCache {
         }
     }
 
-    /// The cache; null where there is none, which pipeline creation accepts.
+    /// The cache; null without a cache, which pipeline creation accepts.
     pub(crate) fn raw(&self) -> vk::PipelineCache {
         self.cache
             .as_ref()

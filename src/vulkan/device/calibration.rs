@@ -3,7 +3,7 @@
 use super::{logical::Device, probe::Probe};
 use ash::{ext, khr, vk};
 
-/// The extension under either of its names.
+/// The extension of calibrated timestamps, under either of its names.
 pub(crate) enum CalibrationExtension {
     Khr(khr::calibrated_timestamps::Device),
     Ext(ext::calibrated_timestamps::Device),

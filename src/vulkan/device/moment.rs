@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 /// Readings tried; the one between the nearest two of the host's counts.
 const TRIES: usize = 16;
 
-/// A moment, as both clocks have it.
+/// A moment on the clocks of the host and of the device.
 #[derive(Clone, Copy, Debug)]
 pub struct ClockMoment {
     /// The host's monotonic clock.
@@ -23,7 +23,7 @@ pub struct ClockMoment {
 
 impl Gpu {
     /// Reads both clocks. Without calibrated timestamps the queue should be idle, or it takes as
-    /// long as what is under way. None where the device has no timestamps.
+    /// long as what is under way. None if the device has no timestamps.
     pub fn moment(&self) -> Option<ClockMoment> {
         if self.probe.timestamp_bits == 0 {
             return None;

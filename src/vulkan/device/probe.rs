@@ -49,8 +49,8 @@ pub struct Probe {
     pub subgroup_ballot: bool,
     /// Whether compute shaders also have votes, sums and shuffles.
     pub subgroup_shuffle: bool,
-    /// Smallest and largest size of the subgroups that fill the sort's workgroups. None if the driver
-    /// chooses the size.
+    /// Smallest and largest size of the subgroups that fill the sort's workgroups. None if the
+    /// driver chooses the size.
     pub subgroup_sizes: Option<[u32; 2]>,
     /// The driver's version number, as it writes it.
     pub driver_version: u32,

@@ -42,7 +42,7 @@ impl RecordFile {
         self.identity.is_of(gpu)
     }
 
-    /// The content; its default where there is none.
+    /// The content; the default if there is no file.
     pub fn read<C: DeserializeOwned + Default>(&self) -> C {
         let text = self.path.as_ref().and_then(|path| fs::read(path).ok());
         let read: Option<Identified<C>> = text.and_then(|text| serde_json::from_slice(&text).ok());

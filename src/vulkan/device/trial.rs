@@ -12,6 +12,7 @@ use std::{
 
 pub use super::outcome::{SortChoice, TrialOutcome, Tried};
 
+/// The content of the file of a device's trials.
 #[derive(Serialize, Deserialize)]
 struct TrialRecord<V: Clone> {
     /// The variant under trial when this was written, and how many trials of it were begun.
@@ -28,12 +29,12 @@ impl<V: Clone> Default for TrialRecord<V> {
     }
 }
 
-/// What this program tries.
+/// The trial that this program is in.
 enum OngoingTrial {
     None,
-    /// What the file at this path names.
+    /// The trial that the file at this path names.
     Begun(Option<PathBuf>),
-    /// The program ends: what is tried from now on is not noted.
+    /// The program ends: no trial is noted from now on.
     Withdrawn,
 }
 

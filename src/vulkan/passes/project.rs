@@ -172,8 +172,8 @@ impl Project {
         Ok(replacement)
     }
 
-    /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among those
-    /// of all avatars, Gaussians.
+    /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among
+    /// those of all avatars, Gaussians.
     pub fn fill_instance(&self, block: &mut FrameBlock, first: u32) {
         block.cache_start = (self.layout.posed / 4) as u32 + POSE_CACHE_WORDS * first;
     }

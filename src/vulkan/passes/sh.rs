@@ -45,7 +45,8 @@ impl SphericalHarmonics {
         Ok(all)
     }
 
-    /// Writes to the colours in `set`, the avatar's Gaussians. None for an avatar without harmonics.
+    /// Writes to the colours in `set`, the avatar's Gaussians. None for an avatar without
+    /// harmonics.
     fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
@@ -79,8 +80,8 @@ impl SphericalHarmonics {
         }))
     }
 
-    /// Reads the frame's joints, the nodes and the model, writes the model's colours of the first `drawn`
-    /// Gaussians; compute.
+    /// Reads the frame's joints, the nodes and the model, writes the model's colours of the first
+    /// `drawn` Gaussians; compute.
     pub fn record(&self, commands: Recording, frame: u32, drawn: u32) {
         let groups = drawn.div_ceil(SH_WORKGROUP);
         self.kernel.dispatch(commands, frame, groups);

@@ -121,7 +121,7 @@ pub(crate) fn render_pass(
 /// Use of the depth attachment by a pipeline.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DepthUse {
-    /// There is none.
+    /// The render pass has no depth attachment.
     Without,
     /// Keeps the nearest.
     Write,

@@ -28,8 +28,8 @@ use effigy_core::{
 };
 use std::sync::Arc;
 
-/// Sides of atlases are multiples of this, px, so that a crowd that comes nearer does not make a new
-/// one in each frame.
+/// Sides of atlases are multiples of this, px, so that a crowd that comes nearer does not make a
+/// new one in each frame.
 const ATLAS_STEP: u32 = 256;
 
 /// The `raster` stage, and `resolve`.
@@ -209,12 +209,12 @@ impl Raster {
         }
     }
 
-    /// The tile lists of the last frame, read back for tests. None where there are none.
+    /// The tile lists of the last frame, read back for tests. None without such lists.
     pub fn tile_lists(&self) -> Result<Option<TileLists>> {
         self.runs().map(Runs::download).transpose()
     }
 
-    /// The lists of bins of the last frame, read back for tests. None where there are none.
+    /// The lists of bins of the last frame, read back for tests. None without such lists.
     pub fn bin_lists(&self) -> Result<Option<BinLists>> {
         self.bins()
             .map(|bins| bins.download(self.drawn()))

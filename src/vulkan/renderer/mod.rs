@@ -66,9 +66,9 @@ impl<'a> Presentation<'a> {
     /// `semaphores`: None if nothing else waits for the frame.
     ///
     /// # Safety
-    /// Everything that `record` uses must stay alive until the frame is done ([`Renderer::finish`]),
-    /// and so must the semaphores. The semaphore that is waited for must be signalled, and the other
-    /// one must not be used elsewhere.
+    /// Everything that `record` uses must stay alive until the frame is done
+    /// ([`Renderer::finish`]), and so must the semaphores. The semaphore that is waited for must be
+    /// signalled, and the other one must not be used elsewhere.
     pub unsafe fn new(
         semaphores: Option<Semaphores>,
         record: &'a mut dyn FnMut(Recording),
@@ -314,9 +314,9 @@ impl Renderer {
         self.choice.as_ref()
     }
 
-    /// Strikes off this renderer's method for all made from now on, unless it is that of the device's
-    /// class. Call it when the device is lost or hangs. Returns whether the next renderer draws by
-    /// another method.
+    /// Strikes off this renderer's method for all made from now on, unless it is that of the
+    /// device's class. Call it when the device is lost or hangs. Returns whether the next renderer
+    /// draws by another method.
     pub fn strike_off(&self, why: &str) -> bool {
         let Some(choice) = self.choice.as_ref().filter(|choice| choice.is_rival()) else {
             return false;
@@ -588,8 +588,8 @@ impl Renderer {
     /// allocated.
     ///
     /// # Errors
-    /// When the size does not fit, the cutoff is invalid, or the device fails. Then the next frame is
-    /// drawn as before.
+    /// When the size does not fit, the cutoff is invalid, or the device fails. Then the next frame
+    /// is drawn as before.
     pub fn adjust(&mut self, size: [u32; 2], cutoff: f64, detail: Detail) -> Result<()> {
         let options = RendererOptions {
             size,

@@ -77,8 +77,8 @@ pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
     untried.next().ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
-/// The fastest variant that is right. Where every trial was ended, by whoever kills programs, the safest
-/// is drawn with all the same: nothing else is known of it.
+/// The fastest variant that is right. Where every trial was ended, by whoever kills programs, the
+/// safest is drawn with all the same: nothing else is known of it.
 fn chosen(gpu: &Gpu, tried: &[Tried<SortVariant>]) -> Option<SortChoice> {
     let [safest, _] = variants(gpu);
     let is_unknown = Tried::outcome_of(tried, safest) == Some(&TrialOutcome::Unfinished);
@@ -282,6 +282,7 @@ fn long(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Option<String>> {
     sorter.difference(&keys)
 }
 
+/// Keys, and what they are called in messages.
 type NamedKeys = (&'static str, Vec<u32>);
 
 /// Keys without pattern (Knuth's multiplicative hash).

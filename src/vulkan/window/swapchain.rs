@@ -295,8 +295,8 @@ impl Swapchain {
 
 impl Drop for Swapchain {
     fn drop(&mut self) {
-        // What is left in the queue is at max_image_count the wait of the last presentation for a frame that
-        // is done.
+        // What is left in the queue is at max_image_count the wait of the last presentation for a
+        // frame that is done.
         if matches!(self.gpu.idle(), Err(Error::Timeout { .. })) {
             tracing::warn!(
                 "the device does not finish its last frame; what belongs to the window is not freed"

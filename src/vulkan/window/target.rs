@@ -1,10 +1,10 @@
-//! A window as drivers know it: raw handles go in, what a surface is made of comes out.
+//! The native handles of a window, from which surfaces are made.
 
 use crate::vulkan::device::error::{During, Result};
 use raw_window_handle::{DisplayHandle, RawDisplayHandle, RawWindowHandle, WindowHandle};
 use std::ffi::CStr;
 
-/// A window as drivers know it. The window must outlive it.
+/// The native handles of a window, which must outlive it.
 #[derive(Clone)]
 pub struct NativeWindow {
     pub(crate) display: RawDisplayHandle,
@@ -15,9 +15,9 @@ pub struct NativeWindow {
 }
 
 impl NativeWindow {
-    /// On X11 drivers get a connection of their own, for they read from it on threads of theirs:
-    /// what a user typed would be taken out of the socket that the event loop sleeps on, and wait
-    /// in a queue for the next event.
+    /// The handles of a window. On X11 drivers get a connection of their own, since they read from
+    /// it on their own threads: they would take key presses out of the socket that the event loop
+    /// sleeps on, and leave them in a queue until the next event.
     ///
     /// # Safety
     /// Display and window must outlive it, its clones, and the surfaces that are made of them.
@@ -43,8 +43,8 @@ impl NativeWindow {
         }
     }
 
-    /// This window of X11 on another connection. None of another system's windows, and where
-    /// there is none to be had.
+    /// This X11 window on another connection. Returns `None` if the window is not X11 or no
+    /// connection opens.
     #[cfg(target_os = "linux")]
     fn apart(&self) -> Option<Self> {
         use raw_window_handle::{XcbDisplayHandle, XcbWindowHandle};

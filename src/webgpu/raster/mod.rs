@@ -42,7 +42,7 @@ enum MethodKernels {
     Tiles(Box<Tiles>),
 }
 
-/// The image of avatars that are drawn larger than they are shown, and what averages it.
+/// The image of avatars that are drawn larger than they are shown, and the stage that averages it.
 struct AtlasImage {
     image: OwnedTexture,
     view: TextureView,
@@ -141,7 +141,7 @@ impl Raster {
         }
     }
 
-    /// The lists of bins of the last frame, read back for tests. None where there are none.
+    /// The lists of bins of the last frame, read back for tests. None without such lists.
     #[cfg(not(target_arch = "wasm32"))]
     pub fn bin_lists(&self, gpu: &Gpu) -> Result<Option<effigy_core::layout::BinLists>> {
         let size = [self.image.width(), self.image.height()];

@@ -16,7 +16,7 @@ struct Required<'d, D: HeaderDocument> {
     index: usize,
     name: String,
     shape: Vec<usize>,
-    /// How its bytes are arranged; None where they are not deflated.
+    /// How its bytes are arranged; None if they are not deflated.
     order: Option<ByteArrangement>,
 }
 
@@ -280,8 +280,8 @@ pub fn decode<D: HeaderDocument>(bytes: &[u8]) -> Result<D::Model, FormatError> 
     container.decode::<D>()
 }
 
-/// Decodes the model in a file's beginning, with a shortened document. Tensors that `zeroed` names are replaced by zeros; all
-/// others must be there.
+/// Decodes the model in a file's beginning, with a shortened document. Tensors that `zeroed` names
+/// are replaced by zeros; all others must be there.
 pub fn decode_beginning<D: HeaderDocument>(
     bytes: &[u8],
     zeroed: fn(&str) -> bool,

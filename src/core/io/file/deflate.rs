@@ -16,8 +16,8 @@ pub const EXPANSION_FREE: usize = 64 << 10;
 pub enum ByteArrangement {
     /// The first byte of every number, then the second of every number, and so on.
     Planes,
-    /// [`ByteArrangement::Planes`] of differences: from each integer its predecessor in the row before is
-    /// subtracted, with wrapping, and columns follow each other.
+    /// [`ByteArrangement::Planes`] of differences: from each integer its predecessor in the row
+    /// before is subtracted, with wrapping, and columns follow each other.
     Deltas,
 }
 

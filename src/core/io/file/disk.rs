@@ -52,12 +52,12 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 }
 
 /// Writes a file beside `path` and renames it, so that the target is either the old file or the
-/// whole new one. Links are followed and stay; what is no file, as a pipe, is written to. What a
-/// program that was killed left of such a write is written over.
+/// whole new one. Links are followed and stay; a pipe or device is written to. Files that killed
+/// programs left of such writes are overwritten.
 ///
 /// # Errors
-/// When the file cannot be written, or `path` is no name of it but what a program has open, as
-/// `/dev/stderr`. A file that was at `path` is then unchanged.
+/// When the file cannot be written, or `path` is an open descriptor of a program, as
+/// `/dev/stderr`, and not a name of it. A file that was at `path` is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let Some(mut part) = PartialFile::beside(path)? else {
         return fs::write(path, bytes);
@@ -123,18 +123,18 @@ pub fn place(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("links that lead in a circle"))
 }
 
-/// A file that is being written, beside the one that it is to replace. It is removed unless that is
-/// done.
+/// A file that is being written, beside the one that it is to replace. Dropping it before that
+/// removes it.
 struct PartialFile {
     path: PathBuf,
-    /// Locked while it is written, so that what nobody writes any more can be told.
+    /// Locked while it is written, so that abandoned files can be recognised.
     file: File,
     target: PathBuf,
     is_over: bool,
 }
 
 impl PartialFile {
-    /// None where there is something that is no file, and can only be written to.
+    /// None if the path names a pipe or a device, which can only be written to.
     fn beside(path: &Path) -> io::Result<Option<Self>> {
         let found = fs::metadata(path).ok();
         if found.as_ref().is_some_and(|found| !found.is_file()) {
@@ -156,13 +156,13 @@ impl PartialFile {
         let part = (0..).find_map(|number| Self::open(&target, number).transpose());
         let part = part.ok_or(io::ErrorKind::ResourceBusy)??;
         if let Some(found) = found {
-            // Who may read the file is worth keeping, but no reason not to write it.
+            // Permissions are worth keeping, but no reason not to write the file.
             part.file.set_permissions(found.permissions()).ok();
         }
         Ok(Some(part))
     }
 
-    /// None where the part of that number is being written.
+    /// None if the file with that number is being written.
     fn open(target: &Path, number: u64) -> io::Result<Option<Self>> {
         let path = target.with_file_name(part_name(target, number));
         let mut options = File::options();

@@ -40,8 +40,8 @@ pub trait HeaderDocument: Serialize + DeserializeOwned + 'static {
 
 /// A row of a table of tensors: one tensor, or one for each layer or set of Gaussians.
 pub struct TensorRow<H, M> {
-    /// Name; `#` stands for the index of a layer, and `@` at the beginning for the prefix of a set of
-    /// Gaussians.
+    /// Name; `#` stands for the index of a layer, and `@` at the beginning for the prefix of a set
+    /// of Gaussians.
     pub name: &'static str,
     /// Type of its numbers.
     pub dtype: Dtype,

@@ -12,11 +12,11 @@
 //! Version 2 of an avatar file is version 1 with some numbers in fewer bits, which `coded` and
 //! `log_scales` name and the tables below have as alternatives of one name, and with some tensors
 //! deflated, which `deflated` names: such a tensor is of type U8, in the file of one dimension, and
-//! holds a zlib stream of its bytes, arranged as [`ByteArrangement`] says. All tensors together are at most
-//! `EXPANSION` times as long as what the file has of them.
+//! holds a zlib stream of its bytes, arranged as [`ByteArrangement`] says. All tensors together are
+//! at most `EXPANSION` times as long as what the file has of them.
 //!
-//! Version 3 is version 2 with a `filter`, the low-pass that the avatar was learned with, in which a
-//! program that does not know the field would draw it wrongly.
+//! Version 3 is version 2 with a `filter`, the low-pass that the avatar was learned with, in which
+//! a program that does not know the field would draw it wrongly.
 //!
 //! Version 4 is version 3 with `harmonics`, colours that depend on the view, or without networks: a
 //! scene of splats has the first and lacks the second.
@@ -83,8 +83,8 @@ fn set(avatar: &Avatar, set: usize) -> SetArrays<'_> {
 }
 
 /// The tensors of an avatar file. Those whose names begin with `@` are of the avatar itself, under
-/// the name without it, and of each level, under `level.K.` and the name. After `=` stands the array that a tensor is read into, or what
-/// makes its codes of one.
+/// the name without it, and of each level, under `level.K.` and the name. After `=` stands the
+/// array that a tensor is read into, or what makes its codes of one.
 pub const AVATAR: &[TensorRow<AvatarHeader, Avatar>] = table! { h: AvatarHeader, a: Avatar, k;
     h.sets() => {
         "@position":       u16 [h.set(k).gaussians, 3] any() = &set(a, k).gaussians.position, "coordinates in the bounds, canonical pose";

@@ -164,8 +164,8 @@ impl Avatar {
         check_harmonics(level.sh.as_ref(), &level.gaussians)
     }
 
-    /// Checks what a file can't say of a level: that it is in the avatar's bounds, and names the one
-    /// node that there is without correctives.
+    /// Checks what a file can't say of a level: that it is in the avatar's bounds, and names the
+    /// one node that there is without correctives.
     fn check_level(&self, level: &Level) -> Result<(), FormatError> {
         let fault = |field: &str, [found, expected]: [String; 2]| {
             Err(FormatError::metadata(field, found, expected))
@@ -195,8 +195,9 @@ impl Avatar {
         order::needs(bytes)
     }
 
-    /// The avatar without its correctives and spherical harmonics, from the beginning of a file that
-    /// is `length` bytes long: it moves with its joints alone. Its arrays have the lengths of the whole avatar's.
+    /// The avatar without its correctives and spherical harmonics, from the beginning of a file
+    /// that is `length` bytes long: it moves with its joints alone. Its arrays have the lengths of
+    /// the whole avatar's.
     ///
     /// # Errors
     /// When the bytes are not the beginning of an avatar's file, or break a rule.

@@ -9,7 +9,7 @@ use crate::avatar::Avatar;
 use safetensors::tensor::{Metadata, TensorInfo, TensorView};
 use std::collections::HashMap;
 
-/// Progress that the beginning of a file allows.
+/// What can be read from the beginning of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Neutral {
     /// Nothing yet: this many first bytes of the file are needed.
@@ -18,7 +18,7 @@ pub enum Neutral {
     Avatar(Box<Avatar>),
 }
 
-/// What a tensor is for, in the order of the file.
+/// The purpose of a tensor, in the order of the file.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Purpose {
     Neutral,
@@ -40,8 +40,8 @@ fn purpose(name: &str) -> Purpose {
     }
 }
 
-/// Serializes a safetensors file in the order of [`Purpose`]. Apart from that, tensors with larger number
-/// types come first, which is the order of the safetensors library.
+/// Serializes a safetensors file in the order of [`Purpose`]. Apart from that, tensors with larger
+/// number types come first, which is the order of the safetensors library.
 pub fn serialize(
     mut views: Vec<(String, TensorView)>,
     text: HashMap<String, String>,

@@ -6,7 +6,7 @@ use crate::avatar::{Avatar, Gaussians, Level, Rows, ShCoefficients};
 /// Beginning of the names of a level's tensors.
 pub const LEVEL_PREFIX: &str = "level.";
 
-/// What the names of a set's tensors begin with.
+/// The beginning of the names of a set's tensors.
 pub fn prefix(set: usize) -> String {
     match set.checked_sub(1) {
         None => String::new(),
@@ -14,12 +14,12 @@ pub fn prefix(set: usize) -> String {
     }
 }
 
-/// A set's arrays.
+/// The arrays of a set of Gaussians: the avatar's own, or a level's.
 #[derive(Clone, Copy)]
 pub struct SetArrays<'a> {
     /// The Gaussians.
     pub gaussians: &'a Gaussians,
-    /// Their nodes; none where no node moves them.
+    /// Their nodes; empty if no nodes move them.
     pub node: &'a [[u16; 3]],
     /// Where each part starts.
     pub part_start: &'a Vec<u32>,

@@ -12,7 +12,7 @@ compile_error!("the files are little-endian, and so must the host be");
 /// multiple of it in memory.
 pub const HEADER_MAX: usize = 256 << 10;
 
-/// How much of a file's header some first bytes hold.
+/// How much of the header the first bytes of a file hold.
 pub enum HeaderProgress {
     /// All of it.
     Complete {
@@ -146,7 +146,7 @@ pub struct TensorInfo {
     pub bytes: usize,
     /// Bytes that it takes in the file.
     pub stored: usize,
-    /// How its bytes are arranged; None where they are not deflated.
+    /// How its bytes are arranged; None if they are not deflated.
     pub deflated: Option<ByteArrangement>,
     /// Meaning of the numbers.
     pub what: &'static str,

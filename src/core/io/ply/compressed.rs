@@ -50,7 +50,7 @@ impl CodeRange {
     }
 }
 
-/// The ranges of a chunk.
+/// The ranges of the numbers in a chunk.
 struct ChunkRanges {
     position: CodeRange,
     scale: CodeRange,

@@ -129,7 +129,7 @@ pub struct ElementLayout {
     pub before: u64,
 }
 
-/// What a file says about itself.
+/// The header of a file.
 #[derive(Debug)]
 pub struct PlyHeader {
     pub encoding: Encoding,

@@ -15,11 +15,11 @@ use crate::{
 
 /// The logarithm of the third deviation of a disc, 1e-6 m.
 const FLAT: f32 = -13.815_511;
-/// What a Gaussian's properties are called.
+/// The names of a Gaussian's properties.
 const EXPECTED: &str =
     "x y z, scale_0 to scale_2, rot_0 to rot_3, opacity and f_dc_0 to f_dc_2, as 3DGS writes them";
 
-/// The properties of a Gaussian.
+/// The columns of a Gaussian's properties.
 struct GaussianColumns {
     position: [Column; 3],
     /// w x y z

@@ -36,8 +36,8 @@ pub struct ElementTable<'a> {
 }
 
 impl<'a> ElementTable<'a> {
-    /// Finds an element's entries after the header. Text is converted to f32, positions to f64, which
-    /// takes at most three times the file's size.
+    /// Finds an element's entries after the header. Text is converted to f32, positions to f64,
+    /// which takes at most three times the file's size.
     ///
     /// # Errors
     /// When the file holds fewer entries than the header says.

@@ -1,5 +1,6 @@
 //! The avatar of splats: static, with one joint, which rotates the file's axes to ours. Gaussians
-//! come in the order of a space-filling curve, so that neighbours in memory are neighbours in space.
+//! come in the order of a space-filling curve, so that neighbours in memory are neighbours in
+//! space.
 
 use super::{
     Splats,
@@ -108,7 +109,7 @@ impl Splats {
     }
 }
 
-/// A Gaussian's place on the curve, first that of its cell, and its index in the file.
+/// A Gaussian's position along the curve, that of its cell first, and its index in the file.
 struct CurvePlace {
     cell: u64,
     code: u64,

@@ -55,7 +55,7 @@ impl Splats {
     }
 }
 
-/// A Gaussian's shape.
+/// Directions and lengths of a Gaussian's axes.
 struct PrincipalAxes {
     rotation: [f32; 4],
     log_scale: [f32; 3],

@@ -34,7 +34,7 @@ pub struct Cells {
     side: Option<f64>,
 }
 
-/// Where a splat is stored.
+/// The position of a splat as it is stored.
 pub struct CellPosition {
     /// Displacement of the box, metres.
     pub offset: [f16; 3],

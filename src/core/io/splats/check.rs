@@ -13,7 +13,7 @@ enum SplatFault {
     NoRotation,
 }
 
-/// What was found.
+/// The value that breaks it.
 impl fmt::Display for SplatFault {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
@@ -43,7 +43,7 @@ pub struct SplatsLeftOut {
     pub count: usize,
     /// Index of the first of them.
     pub first: usize,
-    /// What is wrong with the first.
+    /// The fault of the first.
     pub why: String,
 }
 
@@ -165,7 +165,7 @@ fn keep<T>(entries: &mut Vec<T>, good: &[bool], width: usize) {
 /// Checks a number of Gaussians.
 ///
 /// # Errors
-/// When there are none, or more than [`limits::GAUSSIANS`].
+/// When there are no splats, or more than [`limits::GAUSSIANS`].
 pub fn check_count(count: u64) -> Result<(), FormatError> {
     if count == 0 || count > limits::GAUSSIANS as u64 {
         return Err(FormatError::container(

@@ -1,8 +1,9 @@
-//! The avatar of splats as one run of bytes, for two libraries of one page to hand each other in less
-//! time than an `.avatar` file takes. It is no file format, since both are always of one version.
+//! The avatar of splats as one run of bytes, for two libraries of one page to hand each other in
+//! less time than an `.avatar` file takes. It is no file format, since both are always of one
+//! version.
 //!
-//! The length of a document in 8 bytes, the document in JSON, then the Gaussians, an array after the
-//! other in this machine's order.
+//! The length of a document in 8 bytes, the document in JSON, then the Gaussians, an array after
+//! the other in this machine's order.
 
 use super::{
     avatar::{nodes, scene},
@@ -16,7 +17,7 @@ use bytemuck::{AnyBitPattern, NoUninit};
 use half::f16;
 use serde::{Deserialize, Serialize};
 
-/// What is not an array.
+/// The properties that are not arrays.
 #[derive(Serialize, Deserialize)]
 struct ColumnsHeader {
     name: String,
@@ -114,7 +115,7 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
     ))
 }
 
-/// Arrays that follow each other.
+/// Reads arrays that follow each other.
 struct ColumnReader<'a> {
     rest: &'a [u8],
 }

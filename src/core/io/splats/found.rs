@@ -1,4 +1,4 @@
-//! What a reader found in a file.
+//! The result of reading a file.
 
 use super::{
     Splats,
@@ -25,8 +25,8 @@ impl From<Splats> for Found {
 }
 
 impl Found {
-    /// The splats that keep the rules of [`Splats::check`], and how many were left out. A scene that
-    /// is far from the origin is moved there.
+    /// The splats that keep the rules of [`Splats::check`], and how many were left out. A scene
+    /// that is far from the origin is moved there.
     ///
     /// # Errors
     /// When no splat keeps the rules, or there are too many.

@@ -6,8 +6,8 @@ use crate::each;
 use glam::{DMat3, DQuat, DVec3};
 use std::f64::consts::PI;
 
-/// What a rotation does to the coefficients of degree 1 to 3: row i has what each old coefficient
-/// adds to new coefficient i; 0 between degrees.
+/// The matrix of a rotation of the coefficients of degree 1 to 3: row i has the share of each old
+/// coefficient in new coefficient i; 0 between degrees.
 type ShRotation = [[f64; 15]; 15];
 
 /// Zeros and weights of the Legendre polynomial of degree 4, for exact integrals of polynomials of

@@ -21,7 +21,7 @@ impl Up {
     /// The axis of 3DGS: its world is that of COLMAP's first camera, whose y points down.
     pub const TRAINED: Self = Self::MinusY;
 
-    /// What an assumption about it is called.
+    /// The name of an assumption about it.
     pub const QUESTION: &str = "axis that points up";
 
     /// That [`Self::TRAINED`] was taken, since a file names no axis.

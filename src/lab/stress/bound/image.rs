@@ -33,7 +33,7 @@ const NO_SHARE: f64 = 1e-3;
 /// A bound of at most this sees a fault of a tenth of a channel.
 const TIGHT: f64 = 0.05;
 
-/// A frame to bound.
+/// A frame whose pixels are bounded.
 #[derive(Clone, Copy)]
 pub struct BoundScene<'a> {
     /// The avatar as the file has it.

@@ -224,8 +224,8 @@ impl OrderedSplats {
         for channel in 0..4 {
             let most = lost * self.brightest(layers, channel);
             bound.below[channel] += most;
-            // In its place tiles show more of what they have blended, and quads the colour of one of
-            // the layers, in 5 bits.
+            // In its place tiles show more of what they have blended, and quads the colour of one
+            // of the layers, in 5 bits.
             bound.above[channel] += if rounding.quads() {
                 (most + lost * FIVE_BITS).min(lost)
             } else {

@@ -111,7 +111,7 @@ pub struct UncertainSplat {
     pub color_error: f64,
     /// Half the sides of a box outside which no device draws it, px.
     pub reach: DVec2,
-    /// The reference's own; None where it culls it.
+    /// The reference's own; None if the reference culls it.
     exact: Option<Splat>,
     opacity: f64,
     opacity_error: f64,
@@ -130,7 +130,7 @@ pub struct UncertainSplat {
     evaluated_from: f64,
     /// Error of the deviation between shaders, standard deviations.
     varying: f64,
-    /// What [`Self::alpha`] needs of these, computed once.
+    /// The terms of [`Self::alpha`], computed once.
     shape: AlphaTerms,
     /// Exponent above which α is surely under the cutoff.
     far_exponent: f64,
@@ -138,17 +138,17 @@ pub struct UncertainSplat {
     cutoff: f64,
     /// Variance of the low-pass, px².
     low_pass: f64,
-    /// Nothing is known of its place and shape.
+    /// Its place and shape are not bounded.
     anywhere: bool,
 }
 
-/// Terms of a splat's α that are the same at each place.
+/// Terms of a splat's α that are the same at each pixel.
 #[derive(Clone, Copy, Debug, Default)]
 struct AlphaTerms {
     /// Shortest and longest of each axis, px.
     longer: [f64; 2],
     shorter: [f64; 2],
-    /// What an error of the axis' direction does to a product of deviations.
+    /// The factor that an error of the axis' direction puts on a product of deviations.
     turned: f64,
     /// Half of its square, by how much the axes differ, and their product.
     turned_square: f64,
@@ -243,7 +243,8 @@ impl SplatInput<'_> {
         [displaced, error]
     }
 
-    /// Magnitudes of the joints' linear parts and translations, as the Gaussian's weights blend them.
+    /// Magnitudes of the joints' linear parts and translations, as the Gaussian's weights blend
+    /// them.
     fn skinning_size(&self, k: usize, view: DAffine3) -> (DMat3, DVec3) {
         let neutral = &self.stored.gaussians;
         let mut linear = DMat3::ZERO;
@@ -468,7 +469,7 @@ impl SplatInput<'_> {
 
     /// Where in the image a splat is, with what errors. False if no device draws it.
     fn place(&self, splat: &mut UncertainSplat, posed: &Posed3) -> bool {
-        let projection = Projection::new(self.camera, posed);
+        let projection = ProjectedMean::new(self.camera, posed);
         self.project_axes(splat, posed, &projection);
         let Some(ellipse) = Ellipse::new(&splat.columns, splat.low_pass) else {
             return false;
@@ -490,8 +491,8 @@ impl SplatInput<'_> {
     }
 
     /// The axes of a splat, px, and their errors.
-    fn project_axes(&self, splat: &mut UncertainSplat, posed: &Posed3, projection: &Projection) {
-        let Projection {
+    fn project_axes(&self, splat: &mut UncertainSplat, posed: &Posed3, projection: &ProjectedMean) {
+        let ProjectedMean {
             slope,
             slope_error,
             relative_z,
@@ -518,7 +519,7 @@ impl SplatInput<'_> {
     }
 
     /// Where a device may have a splat's centre, and errors of its distance from a pixel.
-    fn set_center(&self, splat: &mut UncertainSplat, projection: &Projection) {
+    fn set_center(&self, splat: &mut UncertainSplat, projection: &ProjectedMean) {
         let rounding = self.rounding;
         let center = projection.center;
         let size = DVec2::from(self.camera.size.map(f64::from));
@@ -570,7 +571,7 @@ impl SplatInput<'_> {
 }
 
 /// The mean of a Gaussian in the image, with the errors of its projection.
-struct Projection {
+struct ProjectedMean {
     /// px.
     center: DVec2,
     center_error: DVec2,
@@ -581,7 +582,7 @@ struct Projection {
     relative_z: f64,
 }
 
-impl Projection {
+impl ProjectedMean {
     fn new(camera: &Camera, posed: &Posed3) -> Self {
         let t = posed.mean;
         let e = posed.mean_error;
