@@ -24,9 +24,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let player = Player::new(clip, &avatar.skeleton);
     let duration = player.clip().duration();
-    let gpu = Gpu::new(&GpuOptions::headless(None))?;
+    let gpu = Gpu::new(&GpuOptions::new())?;
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(SIZE))?;
-    println!("{} on {}", avatar.name, gpu.probe.name);
+    println!("{} on {}", avatar.name, gpu.name());
 
     let mut worst: f64 = f64::INFINITY;
     for frame in 0..FRAMES {
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let camera = Camera::around(framing, orbit, SIZE);
         let began = Instant::now();
-        renderer.draw(&posed, &camera, None)?;
+        renderer.draw(&posed, &camera)?;
         renderer.finish()?;
         let took = began.elapsed().as_secs_f64() * 1e3;
 

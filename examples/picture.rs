@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let posed = Posed::new(&avatar, &player.pose(1.0));
 
     // The renderer uploads the avatar once, and draws any number of poses of it.
-    let gpu = Gpu::new(&GpuOptions::headless(None))?;
+    let gpu = Gpu::new(&GpuOptions::new())?;
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(SIZE))?;
 
     // All of the avatar in the image, turned 20° to the side.
@@ -37,9 +37,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         ..Orbit::default()
     };
     let camera = Camera::around(framing, orbit, SIZE);
-    renderer.draw(&posed, &camera, None)?;
+    renderer.draw(&posed, &camera)?;
     let image = renderer.read_image()?;
     image.over([0.85, 0.87, 0.89]).save(&out)?;
-    println!("wrote {out}, drawn on {}", gpu.probe.name);
+    println!("wrote {out}, drawn on {}", gpu.name());
     Ok(())
 }

@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p effigy --example window -- [--frames N] [AVATAR.avatar [CLIP.motion]]`
 
-use effigy::{Avatar, Clip, RendererOptions};
-use effigy_app::{Display, ViewerOptions};
+use effigy::{Avatar, Clip};
+use effigy_app::{Display, RendererOptions, ViewerOptions};
 use std::{env, path::Path};
 
 fn main() -> anyhow::Result<()> {

@@ -12,8 +12,8 @@ use crate::{
     scene::BACKGROUND,
     window::Display,
 };
-use effigy::vulkan::{GpuOptions, RendererOptions, cache};
 use effigy_measure::soak::faults::SoakLimits;
+use effigy_render::vulkan::{GpuOptions, RendererOptions, cache};
 use std::{
     path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},

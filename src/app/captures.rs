@@ -1,7 +1,7 @@
 //! Saves frames: screenshots, RenderDoc captures and a trace.
 
 use crate::{message::Message, painter::WindowPainter, screenshot::ScreenshotWriters};
-use effigy::vulkan::{Error, Gpu};
+use effigy_render::vulkan::{Error, Gpu};
 use effigy_runtime::{capture::RenderDoc, trace::TraceRecorder};
 use std::path::PathBuf;
 use winit::event_loop::EventLoopProxy;

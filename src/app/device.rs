@@ -1,7 +1,7 @@
 //! Opens a device that can present to a window.
 
 use ash::vk;
-use effigy::vulkan::{
+use effigy_render::vulkan::{
     Error, Gpu, GpuOptions, Result,
     swapchain::{NativeWindow, Surface},
 };

@@ -1,9 +1,9 @@
 //! One frame, drawn at the start of a soak in a window and again at its end, to measure drift.
 
 use crate::{painter::WindowPainter, scene::ViewerScene};
-use effigy::vulkan::{Copied, Result};
 use effigy_core::scene::{Camera, Posed};
 use effigy_measure::{error, report::ErrorReport, soak};
+use effigy_render::vulkan::{Copied, Result};
 
 /// The frame as it was drawn at the start.
 pub struct DriftCheck {

@@ -6,7 +6,7 @@ use crate::{
     painter::WindowPainter,
     scene::FrameContent,
 };
-use effigy::FrameReport;
+use effigy_core::frame::FrameReport;
 use std::time::{Duration, Instant};
 
 /// The viewer's clock, the frames drawn by it, and the reasons to draw another one. Times are

@@ -1,7 +1,7 @@
 //! Keeps frames in step with the display, if the system reports its refreshes.
 
 use crate::{pacing::Pacing, painter::WindowPainter};
-use effigy::FrameReport;
+use effigy_core::frame::FrameReport;
 use std::time::Instant;
 
 /// The display's rhythm, and the system's reports that it is learned from.

@@ -55,5 +55,6 @@ pub mod viewer;
 pub mod views;
 pub mod window;
 
+pub use effigy_core::frame::RendererOptions;
 pub use options::{DriverLoss, Rehearsal, ViewerOptions};
 pub use window::Display;

@@ -6,7 +6,7 @@ use crate::{
     quality_control::QualityControl,
     scene::{BACKGROUND, BehindImage},
 };
-use effigy::vulkan::{GpuOptions, RendererOptions};
+use effigy_render::vulkan::{GpuOptions, RendererOptions};
 use std::{path::PathBuf, sync::Arc};
 
 /// Options that a viewer is started with.

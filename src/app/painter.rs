@@ -5,15 +5,15 @@ use crate::{
     scene::{BehindImage, FrameContent},
 };
 use ash::vk;
-use effigy::vulkan::{
+use effigy_core::{
+    avatar::Avatar,
+    scene::{Camera, FrameImage, Posed},
+};
+use effigy_render::vulkan::{
     CommandPool, Copied, During, Error, FRAMES_IN_FLIGHT, FrameReport, FrameValidator, Gpu,
     GpuOptions, PixelCounts, PreTransform, PreparedAvatar, Present, PresentFeedback, Presentation,
     PresentedImage, Recording, Renderer, RendererOptions, Result,
     swapchain::{Acquired, NativeWindow, Surface, Swapchain},
-};
-use effigy_core::{
-    avatar::Avatar,
-    scene::{Camera, FrameImage, Posed},
 };
 use effigy_runtime::governor::FrameQuality;
 use egui::{ClippedPrimitive, Pos2, Rect, TexturesDelta, epaint::Primitive};

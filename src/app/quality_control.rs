@@ -2,7 +2,6 @@
 //! quality to draw at comes out.
 
 use crate::{drift_check::DriftCheck, painter::WindowPainter, scene::ViewerScene};
-use effigy::vulkan::{PixelCounts, RendererOptions, Result};
 use effigy_measure::{
     report::DeviceReport,
     setting::RenderSetting,
@@ -14,6 +13,7 @@ use effigy_measure::{
         report, run,
     },
 };
+use effigy_render::vulkan::{PixelCounts, RendererOptions, Result};
 use effigy_runtime::{governor::FrameQuality, ndk::Hints, thermals::Thermals};
 use std::{
     path::{Path, PathBuf},

@@ -2,7 +2,7 @@
 //! of its class. The next start draws by the answer.
 
 use crate::{painter::WindowPainter, scene::ViewerScene};
-use effigy::vulkan::{
+use effigy_render::vulkan::{
     Error, GpuOptions,
     question::{Aside, Question, QuestionScene},
     sort, trial,

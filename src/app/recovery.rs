@@ -2,7 +2,7 @@
 //! whether to go on comes out.
 
 use crate::options::{DriverLoss, Rehearsal};
-use effigy::vulkan::Error;
+use effigy_render::vulkan::Error;
 
 /// Surfaces in a row that may be replaced.
 const SURFACES: u32 = 5;

@@ -20,8 +20,8 @@ use crate::{
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
 use anyhow::Context;
-use effigy::vulkan::{Error, RendererOptions, cache};
 use effigy_core::avatar::Avatar;
+use effigy_render::vulkan::{Error, RendererOptions, cache};
 use effigy_runtime::slow_start::SlowStart;
 use std::{path::PathBuf, sync::Arc, time::Instant};
 use winit::{

@@ -1,11 +1,11 @@
 //! Advice to the user on an error. The library's errors state facts; flags, commands and
 //! packages are known here alone.
 
-use effigy::vulkan;
-#[cfg(feature = "webgpu")]
-use effigy::webgpu;
 use effigy_learn::bake;
 use effigy_measure::bench::BackendError;
+use effigy_render::vulkan;
+#[cfg(feature = "webgpu")]
+use effigy_render::webgpu;
 use std::{error::Error, fmt};
 
 /// An error of the command line itself, with what to do about it.

@@ -6,8 +6,8 @@ use crate::{
     source::{Source, check_time},
 };
 use anyhow::Context;
-use effigy::vulkan::{Gpu, Offscreen, Presentation, Recording, Renderer};
 use effigy_core::scene::{AvatarBounds, Posed};
+use effigy_render::vulkan::{Gpu, Offscreen, Presentation, Recording, Renderer};
 use effigy_runtime::capture::RenderDoc;
 use std::{ffi::CString, path::PathBuf};
 

@@ -8,7 +8,6 @@ use crate::{
     source::PoseProjection,
 };
 use anyhow::{bail, ensure};
-use effigy::vulkan::Gpu;
 use effigy_capture::Capture;
 use effigy_core::{avatar::Avatar, scene::FrameImage};
 use effigy_learn::score::{
@@ -16,6 +15,7 @@ use effigy_learn::score::{
     ViewChoice, ViewScore, choose,
 };
 use effigy_perceptual::{Network, Perceptual, Planes};
+use effigy_render::vulkan::Gpu;
 use effigy_train::{
     recipe::Preset,
     refit::{REFITTED, refit},

@@ -1,7 +1,7 @@
 //! Ctrl-C and SIGTERM for commands that end in order.
 
 use anyhow::Context;
-use effigy::vulkan::trial;
+use effigy_render::vulkan::trial;
 use std::{
     sync::{
         Arc,

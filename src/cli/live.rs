@@ -4,10 +4,10 @@
 //! training does not end with the window.
 
 use crate::source::{CaptureArgs, check_joints, clip};
-use effigy::vulkan::{GpuOptions, RendererOptions};
 use effigy_app::{Display, ViewerOptions, live::LiveAvatar};
 use effigy_capture::Capture;
 use effigy_core::avatar::{Avatar, Clip};
+use effigy_render::vulkan::{GpuOptions, RendererOptions};
 use indicatif::ProgressBar;
 use std::{
     panic::resume_unwind,

@@ -5,12 +5,14 @@ use clap::{
     ValueEnum,
     builder::{PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
 };
-use effigy::vulkan::{Gpu, GpuOptions, RendererOptions, raster::RasterMethod, sort::SortVariant};
 use effigy_core::{
     avatar::{Avatar, Filter},
     frame::Skip,
     io::splats::Up,
     scene::{Camera, Detail, Framing, Supersampling},
+};
+use effigy_render::vulkan::{
+    Gpu, GpuOptions, RendererOptions, raster::RasterMethod, sort::SortVariant,
 };
 use effigy_runtime::trace::TraceRecorder;
 use glam::DVec3;

@@ -11,9 +11,6 @@ use crate::{
     source::{self, Source},
 };
 use anyhow::ensure;
-use effigy::vulkan::{Gpu, Renderer, RendererOptions, cache};
-#[cfg(feature = "webgpu")]
-use effigy::webgpu;
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     io::cameras,
@@ -21,6 +18,9 @@ use effigy_core::{
     scene::{AvatarBounds, Camera, FrameImage, Framing, Posed},
 };
 use effigy_measure::{bench::Backend, in_rows};
+use effigy_render::vulkan::{Gpu, Renderer, RendererOptions, cache};
+#[cfg(feature = "webgpu")]
+use effigy_render::webgpu;
 use effigy_runtime::slow_start::{self, SlowStart};
 use glam::DVec3;
 use std::{

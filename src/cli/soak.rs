@@ -10,7 +10,6 @@ use crate::{
 };
 use anyhow::{Context, anyhow};
 use clap::ValueEnum;
-use effigy::vulkan::{Gpu, raster, sort};
 use effigy_measure::{
     report::ErrorReport,
     setting::RenderSetting,
@@ -19,6 +18,7 @@ use effigy_measure::{
         faults::{SoakLimits, held_rate},
     },
 };
+use effigy_render::vulkan::{Gpu, raster, sort};
 use effigy_runtime::{
     thermals::{Phone, Recorded, Simulated, Thermals},
     trace::TraceRecorder,

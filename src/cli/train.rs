@@ -11,9 +11,9 @@ use crate::{
     progress,
 };
 use anyhow::Context;
-use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOpenOptions, tally};
 use effigy_perceptual::Network;
+use effigy_render::vulkan::Gpu;
 use effigy_train::{
     log::TrainingProgress,
     preflight,

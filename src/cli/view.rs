@@ -12,14 +12,14 @@ use crate::{
 use crate::{backdrop::Backdrop, soak};
 use clap::Parser;
 #[cfg(feature = "window")]
-use effigy::vulkan::RendererOptions;
-#[cfg(feature = "window")]
 use effigy_app::{
     file_list::{self, FileList, LoadedAvatar},
     scene::{BACKGROUND, BehindImage},
 };
 #[cfg(feature = "window")]
 use effigy_core::scene::FrameImage;
+#[cfg(feature = "window")]
+use effigy_render::vulkan::RendererOptions;
 use std::path::{Path, PathBuf};
 #[cfg(feature = "window")]
 use std::sync::{Arc, Mutex, PoisonError};

@@ -1,12 +1,12 @@
 //! What a device manages in a second, measured: bytes that it copies and fragments that it fills an
 //! image with. [`measure_rates`] makes a [`RatesReport`], whose fields are the keys of the JSON.
 
-use effigy::vulkan::{
+use effigy_measure::report::{DeviceReport, Program};
+use effigy_render::vulkan::{
     Gpu, Result, RunTimes,
     raster::ColorFormat,
     rates::{Copy, CopyMethod, Fill, FillOrder, FillShape, Filling, MOST_LAYERS},
 };
-use effigy_measure::report::{DeviceReport, Program};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeSet, sync::Arc, time::Duration};
 

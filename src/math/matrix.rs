@@ -132,6 +132,12 @@ pub struct Eigen {
 /// The eigendecomposition of a symmetric matrix of order `n`. Of a matrix that isn't finite all values
 /// are NaN.
 pub fn eigen(matrix: &[f64], n: usize) -> Eigen {
+    if n == 0 {
+        return Eigen {
+            values: vec![],
+            vectors: vec![],
+        };
+    }
     // It would be iterated upon for ever.
     if matrix.iter().any(|number| !number.is_finite()) {
         return Eigen {

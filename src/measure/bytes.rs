@@ -12,7 +12,6 @@
 //! stored, once. Operations are additions and multiplications of floating-point numbers; a root, a
 //! division or an exponential counts as one.
 
-use effigy::vulkan::{RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, NetworkLayer},
     frame::{
@@ -22,6 +21,7 @@ use effigy_core::{
     },
     layout::{self, BLOCK_PAIRS, GAUSSIAN_PAIRS, POSE_CACHE_WORDS, SORT_DIGITS, SORT_RUNS},
 };
+use effigy_render::vulkan::{RendererOptions, raster::RasterMethod};
 use std::{
     iter::Sum,
     ops::{Add, Mul},

@@ -4,12 +4,12 @@
 //! JSON has no infinity: a PSNR that is null in an [`ErrorReport`] means no error at all.
 
 use crate::{error::ErrorMetrics, setting::RenderSetting};
-use effigy::vulkan::Gpu;
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::{RendererOptions, Skip},
     scene::Detail,
 };
+use effigy_render::vulkan::Gpu;
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
 use std::time::SystemTime;
 

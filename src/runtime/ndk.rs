@@ -4,7 +4,7 @@
 //!
 //! Thermal headroom is there from API 31 on, hint sessions from 33.
 
-use effigy::ndk::{LIBRARY, function, load};
+use effigy_render::ndk::{LIBRARY, function, load};
 use libloading::Library;
 use std::{
     ffi::{c_int, c_void},

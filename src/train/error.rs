@@ -2,11 +2,11 @@
 
 use crate::lock::LockError;
 use crate::preflight::PreflightError;
-use effigy::vulkan::Error as GpuError;
 use effigy_capture::CaptureError;
 use effigy_core::io::file::FileError;
 use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_perceptual::PerceptualError;
+use effigy_render::vulkan::Error as GpuError;
 
 /// Smallest side of a view, px.
 pub(crate) const LEAST_SIDE: u32 = 32;

@@ -9,10 +9,10 @@ use crate::parameters::{ParameterLayout, Parameters};
 use crate::refine::Refinement;
 use crate::topology::{CorrectiveRows, Topology};
 use crate::view::TrainingView;
-use effigy::vulkan::Gpu;
 use effigy_capture::Capture;
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::random::Random;
+use effigy_render::vulkan::Gpu;
 use std::sync::Arc;
 
 /// Steps of a frame's pose.

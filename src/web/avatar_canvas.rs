@@ -4,7 +4,6 @@ use crate::{
     motion::InvalidPose,
     surface::{CanvasSurface, DrawableAvatar, PreparedAvatar, js_error, js_range_error},
 };
-use effigy::webgpu::Error;
 use effigy_core::{
     avatar::{Avatar, Clip},
     frame::{RendererOptions, report::stage_ms},
@@ -14,6 +13,7 @@ use effigy_core::{
     },
     scene::{Camera, Detail, Posed, Supersampling},
 };
+use effigy_render::webgpu::Error;
 use glam::DVec3;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;

@@ -1,11 +1,11 @@
 //! A canvas with a device that draws on it, and avatars that are uploaded to the device.
 
 use crate::motion::AvatarMotion;
-use effigy::webgpu::{Error, Gpu, Renderer, present::Present};
 use effigy_core::{
     avatar::{Avatar, Level},
     frame::RendererOptions,
 };
+use effigy_render::webgpu::{Error, Gpu, Renderer, present::Present};
 use std::{pin::Pin, sync::Arc};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;

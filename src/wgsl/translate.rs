@@ -66,7 +66,7 @@ fn read_uniformly(text: &str) -> String {
 }
 
 /// Gives the arrays of storage buffers a length that is a named constant, defined when the module
-/// is made (src/webgpu/kernel.rs). Browsers check every access against the length; without a
+/// is made (src/render/webgpu/kernel.rs). Browsers check every access against the length; without a
 /// constant they divide the buffer's size to find it. Returns the placeholder of each length and
 /// its name.
 fn name_lengths(module: &mut Module) -> Vec<(u32, String)> {

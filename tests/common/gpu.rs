@@ -5,15 +5,15 @@ use super::{
     harness::{self, not_run},
     pose,
 };
-use effigy::{
-    quirks::draws_triangles,
-    vulkan::{Error, FrameReport, Gpu, GpuOptions, Renderer, RendererOptions, Stages},
-};
 use effigy_core::{
     avatar::Avatar,
     frame::{RasterMethod, Skip},
     reference,
     scene::{AvatarBounds, Camera, Detail, Orbit, Posed, Supersampling},
+};
+use effigy_render::{
+    quirks::draws_triangles,
+    vulkan::{Error, FrameReport, Gpu, GpuOptions, Renderer, RendererOptions, Stages},
 };
 use std::{
     cell::LazyCell,

@@ -14,7 +14,7 @@
 //! - `EFFIGY_ENFORCE_TIMES=1`: a test over 20 s that is not in `tests/slow.txt` fails.
 
 use super::gpu;
-use effigy::vulkan::instance::validation_messages;
+use effigy_render::vulkan::instance::validation_messages;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::{
     env,

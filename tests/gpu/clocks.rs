@@ -2,14 +2,14 @@
 //! work between submission and fence, so there the stages must add up to that time.
 
 use crate::common::{gpu, harness::not_run};
-use effigy::vulkan::{
-    Renderer, RendererOptions,
-    raster::RasterMethod::{self, CooperativeTiles, Quads, SharedTiles},
-};
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::Skip,
     scene::{Camera, Posed},
+};
+use effigy_render::vulkan::{
+    Renderer, RendererOptions,
+    raster::RasterMethod::{self, CooperativeTiles, Quads, SharedTiles},
 };
 use std::time::{Duration, Instant};
 
@@ -128,7 +128,7 @@ fn stages_add_up_where_nothing_is_skipped() {
 
 #[cfg(feature = "webgpu")]
 fn stages_add_up_on_webgpu(method: RasterMethod) {
-    use effigy::webgpu::{Gpu, Renderer};
+    use effigy_render::webgpu::{Gpu, Renderer};
 
     let device = Gpu::open(None).unwrap();
     if !device.timestamps {

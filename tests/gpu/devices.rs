@@ -1,18 +1,18 @@
 //! Opening devices, and what happens when one can't be had or can't hold what it is asked to.
 
 use crate::common::{self, Sizes, gpu, harness::not_run};
-use effigy::vulkan::{
-    Error, Gpu, GpuOptions, Renderer,
-    memory::Buffer,
-    shaders::MODULES,
-    sort::SortVariant,
-    statistics::{self, Executable},
-};
 use effigy_core::{
     avatar::Avatar,
     frame::{RasterMethod, Stage, schedule::Equipment},
     layout::Control,
     scene::{Camera, Posed},
+};
+use effigy_render::vulkan::{
+    Error, Gpu, GpuOptions, Renderer,
+    memory::Buffer,
+    shaders::MODULES,
+    sort::SortVariant,
+    statistics::{self, Executable},
 };
 use glam::DVec3;
 
@@ -46,7 +46,8 @@ fn a_device_is_found_by_number_and_by_part_of_its_name() {
 
 /// What must be true of the statistics of all pipelines on any driver that has them.
 fn assert_whole(device: &Gpu, executables: &[Executable]) {
-    let onesweep = effigy::vulkan::sort::unsupported(SortVariant::OneSweep, device).is_none();
+    let onesweep =
+        effigy_render::vulkan::sort::unsupported(SortVariant::OneSweep, device).is_none();
     let draws = |method| device.probe.lacks_for(method).is_none();
     let is_made = |file: &str| match file.rsplit_once('_').map_or(file, |(kernel, _)| kernel) {
         "sort/onesweep.comp" => onesweep,

@@ -9,10 +9,6 @@ use crate::common::{
     },
     harness::not_run,
 };
-use effigy::{
-    quirks::leaves_loops,
-    vulkan::{Gpu, Renderer, RendererOptions},
-};
 use effigy_core::{
     avatar::Pose,
     constants::ALPHA_MIN,
@@ -21,6 +17,10 @@ use effigy_core::{
     scene::{Camera, Detail, FrameImage, Posed, Supersampling},
 };
 use effigy_measure::{error, soak::memory::resident_bytes};
+use effigy_render::{
+    quirks::leaves_loops,
+    vulkan::{Gpu, Renderer, RendererOptions},
+};
 use glam::DVec3;
 
 /// What `read` gives after a warm-up, and after 800 more frames, whose sizes, samples, cutoff and

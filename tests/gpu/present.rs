@@ -1,16 +1,16 @@
 //! The `present` stage against the reference, and images that are drawn smaller than the screen.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::{
-    FrameValidator, Offscreen, Presentation, Recording, Renderer, RendererOptions,
-    raster::RasterMethod::{self, CooperativeTiles, Quads},
-};
 use effigy_core::{
     constants::ALPHA_MIN,
     reference,
     scene::{Detail, FrameImage, Posed},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::{
+    FrameValidator, Offscreen, Presentation, Recording, Renderer, RendererOptions,
+    raster::RasterMethod::{self, CooperativeTiles, Quads},
+};
 use effigy_runtime::governor::Ladder;
 
 const BACKGROUND: [f32; 3] = [0.2, 0.7, 1.0];

@@ -5,17 +5,17 @@ use crate::{
     common::{self, Sizes, gpu},
     harness::not_run,
 };
-use effigy::vulkan::{
+use effigy_core::{
+    avatar::{Avatar, Pose},
+    frame::RasterMethod,
+    scene::{FrameImage, Posed},
+};
+use effigy_render::vulkan::{
     Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
     question::{MethodTrial, Question, QuestionScene, Race},
     raster::choice::MethodChoice,
     sort::choice::choose_in,
     trial::{TrialOutcome, Tried, withdraw},
-};
-use effigy_core::{
-    avatar::{Avatar, Pose},
-    frame::RasterMethod,
-    scene::{FrameImage, Posed},
 };
 use std::{
     fs,

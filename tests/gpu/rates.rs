@@ -1,7 +1,7 @@
 //! What measures a device's rates does what it says: copies are copies, and layers are blended.
 
 use crate::common::gpu;
-use effigy::vulkan::{
+use effigy_render::vulkan::{
     raster::ColorFormat::{self, Rgba8, Rgba16F},
     rates::{Copy, CopyMethod, Fill, FillOrder, FillShape, Filling},
 };

@@ -21,7 +21,7 @@ struct Layers {
 const LAYERS: &[Layers] = &[
     Layers {
         package: "src",
-        modules: &["ndk", "quirks", "vulkan", "webgpu"],
+        modules: &["device", "renderer"],
     },
     Layers {
         package: "src/app",
@@ -183,7 +183,6 @@ const LAYERS: &[Layers] = &[
     Layers {
         package: "src/learn",
         modules: &[
-            "math",
             "bake",
             "poses",
             "likeness",
@@ -281,8 +280,13 @@ const LAYERS: &[Layers] = &[
         ],
     },
     Layers {
+        package: "src/render",
+        modules: &["ndk", "quirks", "vulkan", "webgpu"],
+    },
+    Layers {
         package: "src/runtime",
         modules: &[
+            "cache",
             "capture",
             "ndk",
             "slow_start",

@@ -2,8 +2,8 @@
 //! writes it, found by following every pointer through the module's instructions. Barriers follow
 //! from that table, so that a wrong row here is a wrong or missing barrier.
 
-use effigy::vulkan::shaders::{MODULES, Module};
 use effigy_core::frame::kernels::{Access, KERNELS, KernelSpec};
+use effigy_render::vulkan::shaders::{MODULES, Module};
 use rspirv::{
     dr::{self, Instruction, Operand},
     spirv::{Decoration, Op, StorageClass, Word},

@@ -1,8 +1,8 @@
 //! Reflects the compiled shaders: their structs match `layout`, and their sizes stay within what
 //! every device offers.
 
-use effigy::vulkan::shaders::{MODULES, Module};
 use effigy_core::layout::{self, Control, FrameBlock, LayerLayout};
+use effigy_render::vulkan::shaders::{MODULES, Module};
 use effigy_train::gpu::ViewBlock;
 use rspirv::{
     dr::{self, Operand},

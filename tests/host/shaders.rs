@@ -1,7 +1,7 @@
 //! The compiled shader modules match their sources and WebGPU's limits.
 
-use effigy::vulkan::shaders::{MODULES, Module};
 use effigy_core::layout::{self, MacroValue};
+use effigy_render::vulkan::shaders::{MODULES, Module};
 use effigy_shaders::{FINGERPRINTS, WEB_MODULES, fingerprint, sources};
 use effigy_wgsl as web;
 use std::{

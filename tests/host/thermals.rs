@@ -1,7 +1,7 @@
 //! What is asked of Android's native library, played by a library that this test makes: it counts
 //! what the program sends it.
 
-use effigy::ndk::Sections;
+use effigy_render::ndk::Sections;
 use effigy_runtime::{
     ndk::{Hints, Thermal},
     thermals::System,

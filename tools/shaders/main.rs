@@ -5,7 +5,7 @@
 //!
 //! What is as new as its sources is left as it is. With `--check` everything is compiled and nothing
 //! is written; the command fails if a stored module differs from what its source compiles to. The
-//! renderer's modules are listed in `effigy::vulkan::shaders`, those for WebGPU in
+//! renderer's modules are listed in `effigy_render::vulkan::shaders`, those for WebGPU in
 //! `src/wgsl/modules.rs`, those of the training in `effigy_train::gpu::shaders`.
 
 #[path = "../../src/wgsl/translate.rs"]

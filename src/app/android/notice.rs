@@ -17,7 +17,7 @@ const DENSITY: f32 = 160.0;
 
 /// Explains an error to the phone's owner.
 pub fn explanation(error: &anyhow::Error) -> String {
-    use effigy::vulkan::Error;
+    use effigy_render::vulkan::Error;
     let why = match error.downcast_ref::<Error>() {
         Some(Error::NoLoader(_) | Error::NoDevice) => {
             "This device has no Vulkan driver. Effigy needs Vulkan 1.1.".into()

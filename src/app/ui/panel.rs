@@ -8,8 +8,8 @@ use crate::{
     playback::{Playback, Repeat, SPEED},
     ui::icons::{self, Icon},
 };
-use effigy::quirks::{OLD_LAVAPIPE, leaves_loops};
 use effigy_core::frame::report::{STAGES, stage_ms};
+use effigy_render::quirks::{OLD_LAVAPIPE, leaves_loops};
 use egui::{Align, Align2, Color32, Grid, Layout, Pos2, RichText, Sense, Slider, Stroke, Ui, vec2};
 
 /// Width of the panel, points.

@@ -2,7 +2,8 @@
 
 use crate::{advice::NO_TRIANGLES, progress};
 use ash::{ext, khr};
-use effigy::{
+use effigy_core::avatar::motion::Player;
+use effigy_render::{
     quirks::{OLD_LAVAPIPE, leaves_loops},
     vulkan::{
         Gpu, Probe, RendererOptions,
@@ -12,7 +13,6 @@ use effigy::{
         trial::SortChoice,
     },
 };
-use effigy_core::avatar::motion::Player;
 
 /// Size of the images of the demo that are drawn to measure a device, px.
 const DEMO_SIZE: [u32; 2] = [512, 512];

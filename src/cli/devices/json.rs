@@ -3,7 +3,7 @@
 
 use super::facts::{Measured, measured, optional};
 use crate::output::Output;
-use effigy::vulkan::{Probe, probe::version};
+use effigy_render::vulkan::{Probe, probe::version};
 use serde_json::{Value, json};
 
 /// Writes the devices.

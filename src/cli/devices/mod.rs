@@ -7,7 +7,7 @@ use crate::{
     interrupt::Interrupts,
     output::{JSON, Output},
 };
-use effigy::vulkan::{Error, Probe, instance::Instance, probe::version};
+use effigy_render::vulkan::{Error, Probe, instance::Instance, probe::version};
 use facts::{Measured, measured, optional};
 
 #[derive(clap::Args, Debug)]

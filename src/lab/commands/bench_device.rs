@@ -3,12 +3,12 @@
 
 use crate::rates::{CopyReport, FillReport, RatesReport, RatesSettings, measure_rates};
 use anyhow::ensure;
-use effigy::vulkan::Gpu;
 use effigy_cli::{
     options::{self, DeviceArgs},
     output::{JSON, Output},
     progress,
 };
+use effigy_render::vulkan::Gpu;
 use std::time::Duration;
 
 #[derive(clap::Args, Debug)]

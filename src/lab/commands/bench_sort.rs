@@ -4,14 +4,6 @@
 use crate::sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name};
 use anyhow::ensure;
 use clap::ValueEnum;
-use effigy::vulkan::{
-    Gpu,
-    sort::{
-        self, KeyBits, SortOptions, SortVariant,
-        choice::choose,
-        standalone::{self, StandaloneSort},
-    },
-};
 use effigy_cli::{
     options::{self, DeviceArgs, SortArg},
     output::{JSON, Output},
@@ -21,6 +13,14 @@ use effigy_core::random::hash;
 use effigy_measure::{
     WARM_UP,
     report::{DeviceReport, Program},
+};
+use effigy_render::vulkan::{
+    Gpu,
+    sort::{
+        self, KeyBits, SortOptions, SortVariant,
+        choice::choose,
+        standalone::{self, StandaloneSort},
+    },
 };
 use std::{
     fmt::Write,

@@ -1,13 +1,13 @@
 //! `effigy-lab shader-stats`: what a driver's compiler made of each shader, as a table: instructions,
 //! registers and spills, as the driver counts them.
 
-use effigy::vulkan::{
-    Probe,
-    statistics::{self, Executable, StatisticValue},
-};
 use effigy_cli::{
     options::DeviceArgs,
     output::{CSV, JSON, Output},
+};
+use effigy_render::vulkan::{
+    Probe,
+    statistics::{self, Executable, StatisticValue},
 };
 use serde_json::json;
 use std::fmt::Write;
@@ -218,7 +218,7 @@ fn align(grid: &[Vec<String>]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use effigy::vulkan::statistics::Statistic;
+    use effigy_render::vulkan::statistics::Statistic;
 
     fn executable_with(shader: &str, executable: &str, values: &[(&str, u64)]) -> Executable {
         let statistic = |&(name, value): &(&str, u64)| Statistic {

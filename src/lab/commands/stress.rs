@@ -4,7 +4,6 @@ use crate::stress::{
     self, BoundUse, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings,
 };
 use anyhow::{Context, ensure};
-use effigy::vulkan::Gpu;
 use effigy_cli::{
     files,
     options::DeviceArgs,
@@ -13,6 +12,7 @@ use effigy_cli::{
 };
 use effigy_core::scene::FrameImage;
 use effigy_measure::error::ErrorMetrics;
+use effigy_render::vulkan::Gpu;
 use std::{
     path::{Path, PathBuf},
     sync::Arc,

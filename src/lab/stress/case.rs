@@ -5,7 +5,6 @@
 use super::{
     adversarial, body::below, bound::BoundScene, category::Category, draft::Draft, small::Small,
 };
-use effigy::vulkan::{RendererOptions, probe::Probe, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Filter, Pose},
     frame::Skip,
@@ -13,6 +12,7 @@ use effigy_core::{
     reference::{self, Culled, project::Gaussian},
     scene::{Camera, Posed, Supersampling},
 };
+use effigy_render::vulkan::{RendererOptions, probe::Probe, raster::RasterMethod};
 use glam::DAffine3;
 use serde::Serialize;
 

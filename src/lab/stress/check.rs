@@ -7,7 +7,6 @@ use super::{
     category::Category,
     refusal,
 };
-use effigy::vulkan::{self, Gpu, Renderer, instance::validation_messages};
 use effigy_core::{
     frame::Skip,
     random::hash,
@@ -15,6 +14,7 @@ use effigy_core::{
     scene::{Camera, FrameImage, Posed},
 };
 use effigy_measure::error::{self, ErrorMetrics};
+use effigy_render::vulkan::{self, Gpu, Renderer, instance::validation_messages};
 use glam::DVec3;
 use std::{
     sync::Arc,

@@ -7,12 +7,12 @@ use super::{
     body::below,
     case::StressCase,
 };
-use effigy::vulkan::{self, Error, Gpu, Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Filter, Level, LevelError},
     random::Random,
     scene::{Camera, FrameImage, Posed},
 };
+use effigy_render::vulkan::{self, Error, Gpu, Renderer, RendererOptions};
 use glam::DVec2;
 use half::f16;
 use std::sync::Arc;

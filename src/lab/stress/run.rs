@@ -6,8 +6,8 @@ use super::{
     check::DrawnCase,
     report::{CategoryReport, RasterizerReport, StressReport},
 };
-use effigy::vulkan::Gpu;
 use effigy_core::random::hash;
+use effigy_render::vulkan::Gpu;
 use std::{
     ops::Range,
     sync::{Arc, mpsc},

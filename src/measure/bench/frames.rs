@@ -8,18 +8,15 @@ use crate::{
     setting::RenderSetting,
     {error, flip},
 };
-#[cfg(feature = "webgpu")]
-use effigy::webgpu;
-use effigy::{
-    GpuOptions,
-    vulkan::{self, FRAMES_IN_FLIGHT, sort::choice},
-};
 use effigy_core::{
     avatar::Avatar,
     constants::ALPHA_MIN,
     frame::{FrameReport, RendererOptions},
     scene::{FrameImage, Posed},
 };
+use effigy_render::vulkan::{self, FRAMES_IN_FLIGHT, GpuOptions, sort::choice};
+#[cfg(feature = "webgpu")]
+use effigy_render::webgpu;
 use std::{sync::Arc, time::Instant};
 
 /// Frames that are drawn before the clock starts, at least.

@@ -1,13 +1,13 @@
 //! Draws a soak without a window: an avatar in motion before a fixed camera, onto an offscreen
 //! target.
 
-use effigy::vulkan::{
-    Copied, FrameReport, FrameValidator, Gpu, Offscreen, PixelCounts, Presentation, Recording,
-    Renderer, RendererOptions, Result,
-};
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     scene::{AvatarBounds, Camera, Orbit, Posed},
+};
+use effigy_render::vulkan::{
+    Copied, FrameReport, FrameValidator, Gpu, Offscreen, PixelCounts, Presentation, Recording,
+    Renderer, RendererOptions, Result,
 };
 use effigy_runtime::governor::FrameQuality;
 use std::sync::Arc;

@@ -12,12 +12,12 @@ use crate::{
     report::{DeviceReport, ErrorReport, OptionsReport, Program, Subject},
     setting::RenderSetting,
 };
-use effigy::vulkan::{Copied, Gpu, Result};
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     reference,
     scene::FrameImage,
 };
+use effigy_render::vulkan::{Copied, Gpu, Result};
 use effigy_runtime::{thermals::Thermals, trace::TraceRecorder};
 use std::{
     sync::{

@@ -2,8 +2,8 @@
 //! second come out. A session knows neither device nor clock.
 
 use super::{cadence::Cadence, report::Second};
-use effigy::vulkan::PixelCounts;
 use effigy_core::frame::Counters;
+use effigy_render::vulkan::PixelCounts;
 use effigy_runtime::{
     governor::{FrameQuality, Governor, Rung, Sample},
     thermals::ThermalReading,

@@ -1,8 +1,8 @@
 //! The quality that can be given up to hold a frame rate, and in which order: a promised rate goes
 //! in, rungs come out.
 
-use effigy::vulkan::RendererOptions;
 use effigy_core::scene::Detail;
+use effigy_render::vulkan::RendererOptions;
 
 /// Motion at this rate or above looks smooth, frames a second. From 1.5 times this rate on, holding
 /// a pose for two frames is one of the first steps.

@@ -1,6 +1,6 @@
 //! The device's clock on the host's time: moments read on both clocks go in, a mapping comes out.
 
-use effigy::vulkan::ClockMoment;
+use effigy_render::vulkan::ClockMoment;
 use std::time::Instant;
 
 /// Moments closer together than this are too close to measure the clocks' relative rate, ns.

@@ -9,11 +9,11 @@ pub mod align;
 mod event;
 
 use align::{Clock, ClockAlignment, nanoseconds_since};
-use effigy::vulkan::{ClockMoment, Gpu};
 use effigy_core::{
     frame::report::{FrameReport, HostTimes},
     io::file::write_whole,
 };
+use effigy_render::vulkan::{ClockMoment, Gpu};
 use event::{DEVICE, HOST, TraceEvent, TraceSlice};
 use serde_json::json;
 use std::{collections::VecDeque, io, path::Path, time::Instant};

@@ -3,10 +3,10 @@
 use crate::parameters::{BASIS, ParameterLayout, Parameters};
 use crate::topology::{CorrectiveRows, Follower, Topology};
 use bytemuck::{Pod, cast_slice};
-use effigy::vulkan::Gpu;
-use effigy::vulkan::Result;
-use effigy::vulkan::compute::{Buffer, BufferUsageFlags, MemoryLocation, Slice};
 use effigy_core::layout::TRAIN_NO_ROW;
+use effigy_render::vulkan::Gpu;
+use effigy_render::vulkan::Result;
+use effigy_render::vulkan::compute::{Buffer, BufferUsageFlags, MemoryLocation, Slice};
 use std::sync::Arc;
 
 /// Storage that kernels and copies use.

@@ -6,12 +6,12 @@ use super::state::TrainerState;
 use super::tiling::{BandTiling, MAX_BANDS};
 use crate::parameters::ParameterLayout;
 use crate::topology::{CorrectiveRows, Topology};
-use effigy::vulkan::compute::{
-    Buffer, BufferUsageFlags, MemoryLocation, Slice, Sort, SortOptions, without_test,
-};
-use effigy::vulkan::{Gpu, Result};
 use effigy_core::frame::KeyBits;
 use effigy_core::layout::{Control, TRAIN_BLOCK, TRAIN_LOSS_SUMS, TRAIN_RECORD, TRAIN_WORKGROUP};
+use effigy_render::vulkan::compute::{
+    Buffer, BufferUsageFlags, MemoryLocation, Slice, Sort, SortOptions, without_test,
+};
+use effigy_render::vulkan::{Gpu, Result};
 use std::sync::Arc;
 
 /// Sums of a workgroup of pixels: |difference|, its square, and the derivative of the gain.

@@ -4,8 +4,8 @@ use super::buffers::{PairBuffers, TrainerBuffers};
 use super::shaders;
 use super::tiling::TileShape;
 use crate::parameters::ParameterLayout;
-use effigy::vulkan::compute::{Kernel, Launch, Module, Resources, Slice};
-use effigy::vulkan::{Gpu, Result};
+use effigy_render::vulkan::compute::{Kernel, Launch, Module, Resources, Slice};
+use effigy_render::vulkan::{Gpu, Result};
 use std::sync::Arc;
 
 /// All that kernels are made from.

@@ -1,6 +1,6 @@
 //! The compiled kernels of the training; docs/development.md says how they are made.
 
-use effigy::vulkan::compute::Module;
+use effigy_render::vulkan::compute::Module;
 
 /// Makes a static of each row, its name and its file, and [`MODULES`] of all.
 macro_rules! modules {

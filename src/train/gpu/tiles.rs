@@ -4,9 +4,9 @@ use super::buffers::{PairBuffers, TrainerBuffers};
 use super::kernels::{KernelSource, PairKernels};
 use super::tiling::{BandTiling, TileShape};
 use crate::parameters::ParameterLayout;
-use effigy::vulkan::compute::{Recording, Scope};
-use effigy::vulkan::{Gpu, Result};
 use effigy_core::layout::{TRAIN_BLOCK, TRAIN_WORKGROUP};
+use effigy_render::vulkan::compute::{Recording, Scope};
+use effigy_render::vulkan::{Gpu, Result};
 use std::sync::Arc;
 
 /// Pairs of splats and tiles, and the kernels that make and use them. Made again with a larger

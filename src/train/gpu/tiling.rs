@@ -1,7 +1,7 @@
 //! How an image is cut into tiles and bands.
 
-use effigy::vulkan::Gpu;
 use effigy_core::layout::TRAIN_RECORD;
+use effigy_render::vulkan::Gpu;
 use std::ops::Range;
 
 /// Bands that a view may have.

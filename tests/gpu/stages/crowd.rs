@@ -7,13 +7,13 @@ use crate::common::{
         Raster::{self, CooperativeTiles, Quads, SharedTiles},
     },
 };
-use effigy::vulkan::{Gpu, Renderer};
 use effigy_core::{
     avatar::Avatar,
     frame::RendererOptions,
     scene::{Camera, Posed, Supersampling},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::{Gpu, Renderer};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [640, 560];

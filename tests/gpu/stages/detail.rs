@@ -2,7 +2,6 @@
 //! reference's, and how near these are to what all Gaussians make.
 
 use crate::common::{self, Random, Sizes, gpu};
-use effigy::vulkan::Renderer;
 use effigy_core::{
     avatar::{Avatar, ShCoefficients, motion::Player},
     frame::{
@@ -13,6 +12,7 @@ use effigy_core::{
     scene::{AvatarBounds, Camera, Detail, FrameImage, Posed},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::Renderer;
 use glam::{DAffine3, DVec3};
 use half::f16;
 

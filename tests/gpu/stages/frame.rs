@@ -8,13 +8,13 @@ use crate::common::{
     },
     wide,
 };
-use effigy::vulkan::{Error, Gpu, GpuOptions, PreparedAvatar, Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Filter},
     scene::{Camera, Posed},
 };
 use effigy_lab::stress::Rasterizer;
 use effigy_measure::error;
+use effigy_render::vulkan::{Error, Gpu, GpuOptions, PreparedAvatar, Renderer, RendererOptions};
 use std::sync::Arc;
 
 fn compare(exact: bool, psnr: f64, within: f64) {

@@ -1,13 +1,13 @@
 //! The `features` stage against the reference, element by element.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::RendererOptions;
 use effigy_core::{
     avatar::{Activation, Pose},
     frame::Skip,
     io::pack::PackStep,
     scene::Posed,
 };
+use effigy_render::vulkan::RendererOptions;
 
 fn compare() {
     let device = gpu::gpu();

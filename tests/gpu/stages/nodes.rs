@@ -1,8 +1,8 @@
 //! The `nodes` stage against the reference, element by element.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::RendererOptions;
 use effigy_core::io::pack::PackQuality;
+use effigy_render::vulkan::RendererOptions;
 
 fn compare() {
     let device = gpu::gpu();

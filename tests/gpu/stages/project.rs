@@ -2,7 +2,6 @@
 //! of what is not.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::RendererOptions;
 use effigy_core::{
     avatar::{Avatar, Filter},
     frame::{CullReasons, Skip},
@@ -11,6 +10,7 @@ use effigy_core::{
     reference::{Culled, Gaussian, Splat},
     scene::{Camera, Posed, detail},
 };
+use effigy_render::vulkan::RendererOptions;
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use half::f16;
 

@@ -8,7 +8,6 @@ use crate::common::{
         Raster::{self, CooperativeTiles, Quads, SharedTiles, TestedQuads},
     },
 };
-use effigy::vulkan::{Renderer, RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::Avatar,
     frame::Skip,
@@ -17,6 +16,7 @@ use effigy_core::{
     scene::{Camera, Posed},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::{Renderer, RendererOptions, raster::RasterMethod};
 use glam::DVec3;
 use half::f16;
 
@@ -140,7 +140,7 @@ fn quads_are_refused_where_the_driver_crashes_on_triangles() {
         Ok(()) => assert!(device.probe.draws_triangles()),
         Err(error) => assert!(
             !device.probe.draws_triangles()
-                && matches!(error, effigy::vulkan::Error::NoTriangles { .. }),
+                && matches!(error, effigy_render::vulkan::Error::NoTriangles { .. }),
             "{error}"
         ),
     }

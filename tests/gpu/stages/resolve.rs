@@ -10,13 +10,13 @@ use crate::{
     },
     small::{LARGE, Renders, assert_near, posed, scene, supersampled},
 };
-use effigy::vulkan::Renderer;
 use effigy_core::{
     avatar::Avatar,
     frame::{FrameReport, RendererOptions},
     reference,
     scene::{Camera, Detail, FrameImage, Posed, Supersampling},
 };
+use effigy_render::vulkan::Renderer;
 use glam::DVec3;
 
 impl Renders for Renderer {

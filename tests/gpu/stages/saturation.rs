@@ -7,7 +7,6 @@ use crate::common::{
         Raster::{self, Quads, TestedQuads},
     },
 };
-use effigy::vulkan::{Renderer, RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Pose, motion::Player},
     constants::{ALPHA_MIN, saturation_light},
@@ -17,6 +16,7 @@ use effigy_core::{
     scene::{Camera, Posed, Supersampling},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::{Renderer, RendererOptions, raster::RasterMethod};
 use glam::{DAffine3, DVec2};
 
 /// A frame of which a device found the saturation depths.

@@ -2,7 +2,6 @@
 //! state from frame to frame, and culled as wholes.
 
 use crate::common::{self, Random, Sizes, f16s, gpu};
-use effigy::vulkan::{FrameReport, Gpu, Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, ShCoefficients},
     frame::Skip,
@@ -10,6 +9,7 @@ use effigy_core::{
     scene::{AvatarBounds, Camera, FrameImage, Posed},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::{FrameReport, Gpu, Renderer, RendererOptions};
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 

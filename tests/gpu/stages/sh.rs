@@ -1,7 +1,6 @@
 //! The `harmonics` stage and static avatars on the device, against the reference.
 
 use crate::common::{self, Random, Sizes, f16s, gpu};
-use effigy::vulkan::{Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Parts, Pose, ShCoefficients},
     frame::report::STAGES,
@@ -9,6 +8,7 @@ use effigy_core::{
     scene::{Camera, Posed},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::{Renderer, RendererOptions};
 use glam::DVec3;
 
 /// Gives an avatar harmonics from a seed.

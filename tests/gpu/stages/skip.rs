@@ -8,13 +8,13 @@ use crate::common::{
     },
     harness::not_run,
 };
-use effigy::vulkan::{Gpu, Renderer, RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     frame::{Counters, Skip},
     scene::{Camera, Detail, FrameImage, Posed},
 };
 use effigy_measure::error;
+use effigy_render::vulkan::{Gpu, Renderer, RendererOptions, raster::RasterMethod};
 use glam::DVec3;
 use std::sync::Arc;
 

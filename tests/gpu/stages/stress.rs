@@ -1,7 +1,6 @@
 //! Numerical stability on the device: some cases of every category, twice, and what is refused.
 
 use crate::common::{self, gpu};
-use effigy::vulkan::{Gpu, GpuOptions, RendererOptions};
 use effigy_core::{
     avatar::Avatar,
     frame::Skip,
@@ -9,6 +8,7 @@ use effigy_core::{
     scene::{Camera, Posed},
 };
 use effigy_lab::stress::{self, Category, StressCase, StressSettings};
+use effigy_render::vulkan::{Gpu, GpuOptions, RendererOptions};
 use half::f16;
 use std::ops::Range;
 

@@ -17,7 +17,6 @@ use crate::{
         saturation::{Sampled, sampled_frames},
     },
 };
-use effigy::webgpu::{Error, Gpu, Renderer};
 use effigy_core::{
     avatar::{Avatar, Filter, ShCoefficients},
     frame::{RasterMethod, RendererOptions, Skinning, Skip, SortVariant},
@@ -27,6 +26,7 @@ use effigy_core::{
     scene::{Camera, Detail, Posed},
 };
 use effigy_measure::{error, in_rows};
+use effigy_render::webgpu::{Error, Gpu, Renderer};
 use glam::DVec3;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -146,7 +146,7 @@ fn images_agree_with_the_vulkan_backend(raster: Raster) {
     let options = raster.options(device.name(), camera.size);
     let mut ours = Renderer::new(&device, &avatar, options).unwrap();
     ours.draw(&posed, &camera).unwrap();
-    let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+    let mut theirs = effigy_render::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
     theirs.draw(&posed, &camera, None).unwrap();
     let [ours, theirs] = [ours.read_image().unwrap(), theirs.read_image().unwrap()];
     let off =
@@ -247,7 +247,7 @@ fn stages_are_those_of_the_vulkan_backend() {
 /// `quality`: of a packed avatar, drawn with one Gaussian in four.
 fn stages_agree(
     device: &Arc<Gpu>,
-    vulkan: &Arc<effigy::vulkan::Gpu>,
+    vulkan: &Arc<effigy_render::vulkan::Gpu>,
     quality: Option<PackQuality>,
 ) {
     let (avatar, posed) = body(11, 3000);
@@ -261,7 +261,7 @@ fn stages_agree(
     let camera = gpu::camera(&avatar, &posed, options.size);
     let mut ours = Renderer::new(device, &avatar, options).unwrap();
     ours.draw(&posed, &camera).unwrap();
-    let mut theirs = effigy::vulkan::Renderer::new(vulkan, &avatar, options).unwrap();
+    let mut theirs = effigy_render::vulkan::Renderer::new(vulkan, &avatar, options).unwrap();
     theirs.draw(&posed, &camera, None).unwrap();
     let (ours, theirs) = (ours.stages().unwrap(), theirs.stages().unwrap());
     let close = |what: &str, a: &[f32], b: &[f32], tolerance: f64| {
@@ -456,7 +456,7 @@ fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
         ..gpu::options([200, 200])
     };
     let mut ours = Renderer::new(&device, &avatar, options).unwrap();
-    let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+    let mut theirs = effigy_render::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
     let mut thinned = vec![];
     for poses in [
         [away(0.0), away(9.0)],

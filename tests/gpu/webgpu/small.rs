@@ -12,7 +12,6 @@ use crate::{
     },
     small::{LARGE, Renders, camera_at, posed, scene, supersampled},
 };
-use effigy::webgpu::Renderer;
 use effigy_core::{
     avatar::Avatar,
     frame::{FrameReport, RendererOptions, Skip},
@@ -20,6 +19,7 @@ use effigy_core::{
     scene::{Camera, FrameImage, Posed, Supersampling},
 };
 use effigy_measure::error;
+use effigy_render::webgpu::Renderer;
 use glam::DVec3;
 
 impl Renders for Renderer {
@@ -28,7 +28,7 @@ impl Renders for Renderer {
     }
 
     fn make(avatar: &Avatar, options: RendererOptions) -> Self {
-        if !effigy::quirks::draws_triangles(&Self::device()) {
+        if !effigy_render::quirks::draws_triangles(&Self::device()) {
             common::harness::not_run("the device does not survive drawing triangles");
         }
         Self::new(&open(), avatar, options).unwrap()
@@ -62,7 +62,7 @@ fn small_avatars_are_those_of_the_vulkan_backend(raster: Raster) {
     };
     let mut both = Both {
         ours: Renderer::make(&avatar, options),
-        theirs: effigy::vulkan::Renderer::make(&avatar, options),
+        theirs: effigy_render::vulkan::Renderer::make(&avatar, options),
     };
     let alone = posed(&avatar, &camera, 3, DVec3::new(0.05, 0.02, 0.0));
     for side in [30.0, 60.0, 120.0, 240.0] {
@@ -77,7 +77,7 @@ fn small_avatars_are_those_of_the_vulkan_backend(raster: Raster) {
 /// A renderer of each backend, of the same avatar and with the same options.
 struct Both {
     ours: Renderer,
-    theirs: effigy::vulkan::Renderer,
+    theirs: effigy_render::vulkan::Renderer,
 }
 
 impl Both {
@@ -236,7 +236,7 @@ fn factors_are_as_asked_for() {
         ..gpu::options([64, 64])
     };
     let renderer = Renderer::new(&device, &avatar, asked).unwrap();
-    let draws = effigy::quirks::draws_triangles(device.name());
+    let draws = effigy_render::quirks::draws_triangles(device.name());
     let expected = if draws {
         Supersampling::Times(2)
     } else {

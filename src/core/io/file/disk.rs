@@ -4,7 +4,7 @@ use super::error::{FileError, FormatError};
 use crate::random::hash;
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Reads a file and decodes it.
@@ -16,18 +16,33 @@ pub fn read_with<T>(
         file: path.into(),
         cause,
     };
-    let mut file = File::open(path).map_err(failed)?;
+    let file = File::open(path).map_err(failed)?;
     if !file.metadata().map_err(failed)?.is_file() {
         return Err(failed(io::Error::other(
             "found a folder or device, expected a file",
         )));
     }
-    let mut bytes = Vec::new();
-    file.read_to_end(&mut bytes).map_err(failed)?;
+    let bytes = bytes_of(file).map_err(failed)?;
     decode(&bytes).map_err(|fault| FileError::Content {
         file: path.into(),
         fault,
     })
+}
+
+/// The bytes of a file, mapped: they are read on access.
+#[cfg(all(feature = "mmap", not(target_arch = "wasm32")))]
+fn bytes_of(file: File) -> io::Result<memmap2::Mmap> {
+    // SAFETY: the mapping is only read. Should another program shorten the file meanwhile, the
+    // system ends this process; this one never does, as it replaces files whole.
+    unsafe { memmap2::Mmap::map(&file) }
+}
+
+/// The bytes of a file.
+#[cfg(not(all(feature = "mmap", not(target_arch = "wasm32"))))]
+fn bytes_of(mut file: File) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    io::Read::read_to_end(&mut file, &mut bytes)?;
+    Ok(bytes)
 }
 
 /// Writes encoded bytes to a file, whole or not at all.

@@ -1,10 +1,10 @@
 //! What a renderer rounds, by its options and its device.
 
-use effigy::vulkan::probe::Probe;
 use effigy_core::{
     constants::ALPHA_MIN,
     frame::{ColorFormat, RasterMethod, RendererOptions, Skip},
 };
+use effigy_render::vulkan::probe::Probe;
 
 /// Relative error of an f32 operation: Vulkan lets a device round up or down.
 pub const F32: f64 = f32::EPSILON as f64;

@@ -1,7 +1,7 @@
 //! The self-test and the file that remembers its choice.
 
 use super::*;
-use effigy::vulkan::{
+use effigy_render::vulkan::{
     sort::choice::{choose_in, test},
     trial::{SortChoice, TrialOutcome, Tried},
 };
@@ -52,7 +52,7 @@ fn look_back_is_tested_and_refused_where_it_is_wrong() {
     }
     let outcome = test(&device, SortVariant::OneSweep).unwrap();
     println!("{outcome}");
-    match effigy::vulkan::sort::unsupported(SortVariant::OneSweep, &device) {
+    match effigy_render::vulkan::sort::unsupported(SortVariant::OneSweep, &device) {
         Some(_) => assert!(matches!(outcome, TrialOutcome::Unsupported(_))),
         None if looks_back(&device) => {
             assert!(matches!(outcome, TrialOutcome::Right(_)), "{outcome}")

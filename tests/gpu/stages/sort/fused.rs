@@ -2,12 +2,12 @@
 
 use super::*;
 use ash::vk;
-use effigy::vulkan::{
+use effigy_core::layout::{Control, SORT_DIGITS};
+use effigy_render::vulkan::{
     Recording,
     memory::{Buffer, Scope, Slice},
     sort::{Sort, counts_size},
 };
-use effigy_core::layout::{Control, SORT_DIGITS};
 
 fn counts_of_the_callers_give_the_same_order(variant: SortVariant) {
     let device = sorting(variant);
@@ -83,7 +83,7 @@ fn counts_of_the_callers_give_the_same_order(variant: SortVariant) {
                 sort.record_counted(commands);
             };
             device.run("a counted sort", record).unwrap();
-            let expected = effigy::vulkan::sort::standalone::expected(&keys, bits);
+            let expected = effigy_render::vulkan::sort::standalone::expected(&keys, bits);
             assert!(
                 sort.download(expected.len() as u32).unwrap() == expected,
                 "{}, {bits:?}",

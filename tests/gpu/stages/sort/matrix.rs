@@ -2,8 +2,8 @@
 
 use super::*;
 use ash::vk;
-use effigy::vulkan::{Recording, memory::Buffer};
 use effigy_core::layout::Control;
+use effigy_render::vulkan::{Recording, memory::Buffer};
 
 /// Counts around every border of a tile, and one count for each pattern in turn where all of them
 /// would take too long.

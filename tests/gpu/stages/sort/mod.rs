@@ -8,7 +8,8 @@ pub mod fused;
 pub mod matrix;
 
 use crate::common::{Random, gpu, harness::not_run};
-use effigy::vulkan::{
+use effigy_core::layout::SORT_CULLED;
+use effigy_render::vulkan::{
     Gpu,
     sort::{
         KeyBits, SortOptions,
@@ -16,7 +17,6 @@ use effigy::vulkan::{
         standalone::StandaloneSort,
     },
 };
-use effigy_core::layout::SORT_CULLED;
 use std::sync::Arc;
 
 const BITS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo];
@@ -24,7 +24,7 @@ const BITS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::Thirt
 /// The device, for a variant that it can run. Ends the test on others.
 fn running(variant: SortVariant) -> Arc<Gpu> {
     let device = gpu::gpu();
-    if let Some(reason) = effigy::vulkan::sort::unsupported(variant, &device) {
+    if let Some(reason) = effigy_render::vulkan::sort::unsupported(variant, &device) {
         not_run(format!(
             "{} needs what is missing: {reason}",
             variant.name()

@@ -56,7 +56,7 @@ macro_rules! modules {
             #[doc = concat!("`shaders/", $file, "`.")]
             pub static $constant: Module = Module {
                 file: $file,
-                spirv: include_bytes!(concat!("../../../shaders/spv/", $file, ".spv")),
+                spirv: include_bytes!(concat!("../../../../shaders/spv/", $file, ".spv")),
             };
         )*
         /// Every module.
