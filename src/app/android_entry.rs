@@ -13,7 +13,7 @@ use crate::{
     window::Display,
 };
 use effigy_measure::soak::faults::SoakLimits;
-use effigy_render::vulkan::{GpuOptions, RendererOptions, cache};
+use effigy_render::vulkan::{GpuOptions, RendererOptions};
 use std::{
     path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},

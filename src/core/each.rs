@@ -24,7 +24,7 @@ pub fn chunk<T: Send>(list: &mut [T], size: usize, of: impl Fn(usize, &mut [T]) 
 }
 
 /// `of` every piece of a list, `size` long but for the last, with its index.
-#[cfg(not(all(feature = "rayon", not(target_arch = "wasm32"))))]
+#[cfg(all(not(feature = "rayon"), not(target_arch = "wasm32")))]
 pub fn chunk<T>(list: &mut [T], size: usize, of: impl Fn(usize, &mut [T])) {
     for (at, piece) in list.chunks_mut(size).enumerate() {
         of(at, piece);
