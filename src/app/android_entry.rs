@@ -13,7 +13,7 @@ use crate::{
     window::Display,
 };
 use effigy_measure::soak::faults::SoakLimits;
-use effigy_render::vulkan::{GpuOptions, RendererOptions};
+use effigy_render::vulkan::RendererOptions;
 use std::{
     path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},
@@ -83,10 +83,7 @@ fn show(
         );
     }
     let options = ViewerOptions {
-        gpu: GpuOptions {
-            cache: effigy_runtime::cache::folder(),
-            ..GpuOptions::headless(None)
-        },
+        gpu: effigy_runtime::cache::headless(None),
         renderer: RendererOptions {
             count: soak.is_some(),
             ..RendererOptions::new([1; 2])

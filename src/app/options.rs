@@ -51,10 +51,7 @@ impl ViewerOptions {
     /// quality, a light background.
     pub fn new(renderer: RendererOptions) -> Self {
         Self {
-            gpu: GpuOptions {
-                cache: effigy_runtime::cache::folder(),
-                ..GpuOptions::headless(None)
-            },
+            gpu: effigy_runtime::cache::headless(None),
             renderer,
             full_screen: false,
             background: BACKGROUND,

@@ -50,7 +50,7 @@ pub struct Args {
     /// Rays traced per vertex for ambient lighting, 16 to 10000
     #[arg(long, value_name = "N", default_value = "192", value_parser = count(16, 10_000))]
     rays: usize,
-    /// What it does anyway; it also made data sets without pictures before 0.4
+    /// What it does anyway; version 0.1 also made data sets without pictures
     #[arg(long, hide = true)]
     pictures: bool,
     #[command(flatten)]

@@ -1,4 +1,5 @@
-//! `effigy evaluate`: an avatar, or another program's pictures, against what a capture's cameras saw.
+//! `effigy evaluate`: an avatar, or another program's pictures, against what a capture's cameras
+//! saw.
 
 use crate::{
     assets, evaluate_video, files,

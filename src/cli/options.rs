@@ -105,18 +105,10 @@ pub struct DeviceArgs {
     pub name: Option<String>,
 }
 
-/// Options to open a device with, without a window, and with the program's cache.
-pub fn headless(device: Option<String>) -> GpuOptions {
-    GpuOptions {
-        cache: effigy_runtime::cache::folder(),
-        ..GpuOptions::headless(device)
-    }
-}
-
 impl DeviceArgs {
     /// The options to open the GPU with, without a window.
     pub fn gpu(&self) -> GpuOptions {
-        headless(self.name.clone())
+        effigy_runtime::cache::headless(self.name.clone())
     }
 }
 

@@ -6,7 +6,7 @@ use crate::{
     source::{CaptureArgs, PoseProjection, Source},
 };
 use anyhow::ensure;
-use effigy_core::avatar::{Avatar, motion::Player};
+use effigy_core::avatar::Avatar;
 use effigy_learn::prune::prune;
 use std::{path::PathBuf, time::Instant};
 
@@ -40,15 +40,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         "{}: found no correctives, so that there is nothing to prune",
         args.avatar.display()
     );
-    let clips = if args.motion.is_empty() {
+    let players = if args.motion.is_empty() {
         vec![]
     } else {
-        source.clips(&avatar)?
+        source.players(&avatar)?
     };
-    let players: Vec<Player> = clips
-        .into_iter()
-        .map(|clip| Player::new(clip, &avatar.skeleton))
-        .collect();
     let budget = args.budget.budget(avatar.gaussians.len());
     let pruned = prune(&avatar, &players, budget);
     pruned.write(out)?;

@@ -421,7 +421,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     const FOV: f64 = 35.0 / 360.0 * TAU;
     let size = [720, 960];
     let (avatar, player) = source.load_player()?;
-    let gpu = Gpu::new(&options::headless(None))?;
+    let gpu = Gpu::new(&effigy_runtime::cache::headless(None))?;
     println!("drawing a turntable with {}", gpu.probe.name);
     let mut slow_start = slow_start(&gpu);
     let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;

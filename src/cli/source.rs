@@ -155,11 +155,22 @@ impl Source {
             }
             _ => self.project.apply(effigy_demo::avatar()?),
         };
-        let clips = self.clips(&avatar)?;
-        for clip in &clips {
-            check_joints(clip, &avatar)?;
-        }
+        let clips = self.checked_clips(&avatar)?;
         Ok((avatar, clips))
+    }
+
+    /// Reads the clips of an avatar, each of which must move a joint of it.
+    fn checked_clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
+        let clips = self.clips(avatar)?;
+        for clip in &clips {
+            check_joints(clip, avatar)?;
+        }
+        Ok(clips)
+    }
+
+    /// Reads the clips of an avatar as players. There is at least one.
+    pub fn players(&self, avatar: &Avatar) -> anyhow::Result<Vec<Player>> {
+        Ok(players(self.checked_clips(avatar)?, avatar))
     }
 
     /// Reads an avatar.
@@ -181,10 +192,7 @@ impl Source {
     /// Reads the avatar, and its clips as players. There is at least one.
     pub fn load_players(&self) -> anyhow::Result<(Avatar, Vec<Player>)> {
         let (avatar, clips) = self.load()?;
-        let players = clips
-            .into_iter()
-            .map(|clip| Player::new(clip, &avatar.skeleton))
-            .collect();
+        let players = players(clips, &avatar);
         Ok((avatar, players))
     }
 
@@ -219,6 +227,11 @@ impl Source {
         let read = files.iter().map(|path| clip(path, avatar, &options));
         read.collect()
     }
+}
+
+fn players(clips: Vec<Clip>, avatar: &Avatar) -> Vec<Player> {
+    let player = |clip| Player::new(clip, &avatar.skeleton);
+    clips.into_iter().map(player).collect()
 }
 
 /// Whether a file is an avatar in which nothing moves.

@@ -129,23 +129,14 @@ pub struct Eigen {
     pub vectors: Vec<Vec<f64>>,
 }
 
-/// The eigendecomposition of a symmetric matrix of order `n`. Of a matrix that isn't finite all values
-/// are NaN.
+/// The eigendecomposition of a symmetric matrix of order `n`. Of a matrix that isn't finite all of it
+/// is NaN.
 pub fn eigen(matrix: &[f64], n: usize) -> Eigen {
-    if n == 0 {
-        return Eigen {
-            values: vec![],
-            vectors: vec![],
-        };
-    }
-    // It would be iterated upon for ever.
-    if matrix.iter().any(|number| !number.is_finite()) {
+    // It doesn't take an empty matrix, and would iterate for ever upon NaN.
+    if n == 0 || matrix.iter().any(|number| !number.is_finite()) {
         return Eigen {
             values: vec![f64::NAN; n],
-            vectors: DMatrix::identity(n, n)
-                .column_iter()
-                .map(|c| c.iter().copied().collect())
-                .collect(),
+            vectors: vec![vec![f64::NAN; n]; n],
         };
     }
     let found = SymmetricEigen::new(DMatrix::from_row_slice(n, n, matrix));
@@ -174,7 +165,7 @@ pub fn inverse(matrix: &[f64], n: usize, floor: f64) -> Vec<f64> {
 
 fn decomposed(matrix: &[f64], n: usize, floor: f64) -> Cholesky<f64, Dyn> {
     Cholesky::new_with_substitute(DMatrix::from_row_slice(n, n, matrix), floor)
-        .expect("a positive number stands in for what is none")
+        .expect("a positive number stands in for each pivot that is not positive")
 }
 
 #[cfg(test)]

@@ -122,7 +122,7 @@ impl Axis {
         Ok(Self::new(label, [min - margin, max + margin]))
     }
 
-    /// The same with another way to write its numbers.
+    /// An axis whose numbers are written by `number`.
     pub fn written(self, number: fn(&f64) -> String) -> Self {
         let number = Some(number);
         Self { number, ..self }

@@ -1,5 +1,6 @@
 //! The folder of what programs keep from start to start: compiled pipelines, and what was measured.
 
+use effigy_render::vulkan::GpuOptions;
 use std::{path::PathBuf, sync::OnceLock};
 
 /// A folder that is to be used in place of the system's.
@@ -16,4 +17,13 @@ pub fn folder() -> Option<PathBuf> {
     FOLDER.get().cloned().or_else(|| {
         directories::ProjectDirs::from("", "", "effigy").map(|dirs| dirs.cache_dir().to_path_buf())
     })
+}
+
+/// Options to open a device with, without a window, that keep things in [`folder`]. `device`: see
+/// [`GpuOptions::device`].
+pub fn headless(device: Option<String>) -> GpuOptions {
+    GpuOptions {
+        cache: folder(),
+        ..GpuOptions::headless(device)
+    }
 }

@@ -2,7 +2,7 @@
 //! avatar.
 
 use crate::topology::{CorrectiveRows, Topology};
-use effigy_core::avatar::{Avatar, Matrix, Rows as AvatarRows};
+use effigy_core::avatar::{Avatar, Matrix, ROW_COMPONENTS, Rows as AvatarRows};
 use effigy_core::layout::TRAIN_BASIS;
 use half::f16;
 use std::ops::Range;
@@ -11,8 +11,6 @@ use std::ops::Range;
 pub const BASIS: usize = TRAIN_BASIS as usize;
 /// Numbers of a Gaussian: quaternion (4), log scale (3), logit of the opacity, colour (3), spare.
 pub const GAUSSIAN: usize = 12;
-/// Components of the correctives of rotation, scale and colour.
-pub const COMPONENTS: [usize; 3] = [4, 3, 3];
 
 /// What is learned, or one number for each of it: derivatives, moments.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +80,7 @@ impl ParameterLayout {
             })
             .collect();
         let mut bases = [0; 4];
-        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+        for (attribute, components) in ROW_COMPONENTS.into_iter().enumerate() {
             let numbers = rows.gaussian[attribute].len() * components * BASIS;
             bases[attribute + 1] = bases[attribute] + numbers;
         }
@@ -113,7 +111,7 @@ impl ParameterLayout {
 
     /// The numbers of a row of an attribute in [`Parameters::bases`].
     pub fn row(&self, attribute: usize, row: usize) -> Range<usize> {
-        let length = COMPONENTS[attribute] * BASIS;
+        let length = ROW_COMPONENTS[attribute] * BASIS;
         let first = self.bases[attribute] + row * length;
         first..first + length
     }
@@ -198,7 +196,7 @@ impl Parameters<f32> {
             &avatar.color_rows.basis,
         ];
         for (attribute, matrix) in rows.into_iter().enumerate() {
-            let length = COMPONENTS[attribute] * BASIS;
+            let length = ROW_COMPONENTS[attribute] * BASIS;
             for (at, row) in matrix.rows(length).enumerate() {
                 copy(row.iter(), &mut all.bases[layout.row(attribute, at)]);
             }

@@ -1,8 +1,9 @@
 //! Which basis rows stay: those whose correctives vary most over the training's poses, or change its
 //! pictures most.
 
-use crate::parameters::{BASIS, COMPONENTS, ParameterLayout, Parameters};
+use crate::parameters::{BASIS, ParameterLayout, Parameters};
 use crate::topology::{CorrectiveRows, Topology};
+use effigy_core::avatar::ROW_COMPONENTS;
 use rayon::prelude::*;
 
 /// How the features of each part vary over poses: the covariance of the attributes' half; shape
@@ -102,10 +103,10 @@ impl Pruning<'_> {
     /// Keeps in all the number of rows of [`Self::by_variance`], of any attribute: those whose change over
     /// poses changes the loss of pictures most, Σ_c F_c b_c C b_cᵀ with the sensitivity F of the number.
     pub fn by_pictures(&self, share: f64, sensitivity: &Sensitivity) -> CorrectiveRows {
-        let keep = COMPONENTS.len() * (share * self.layout.gaussians as f64).round() as usize;
+        let keep = ROW_COMPONENTS.len() * (share * self.layout.gaussians as f64).round() as usize;
         let mut all = Vec::new();
         let mut first = 0;
-        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+        for (attribute, components) in ROW_COMPONENTS.into_iter().enumerate() {
             let of = |gaussian, c| sensitivity.of(gaussian, first + c);
             all.extend(self.ranked(attribute, &of));
             first += components;
@@ -180,7 +181,7 @@ pub fn keep_rows(
     kept: &CorrectiveRows,
 ) -> Parameters<f32> {
     let mut bases = Vec::new();
-    for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+    for (attribute, components) in ROW_COMPONENTS.into_iter().enumerate() {
         for &gaussian in &kept.gaussian[attribute] {
             match rows.row(attribute, gaussian as usize) {
                 Some(row) => bases.extend(&numbers.bases[layout.row(attribute, row)]),

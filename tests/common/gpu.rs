@@ -25,10 +25,7 @@ static SHARED: Mutex<Vec<(String, Arc<Gpu>)>> = Mutex::new(vec![]);
 
 /// Options for the device that the environment chooses, with the program's cache.
 pub fn headless() -> GpuOptions {
-    GpuOptions {
-        cache: effigy_runtime::cache::folder(),
-        ..GpuOptions::headless(None)
-    }
+    effigy_runtime::cache::headless(None)
 }
 
 /// The device that the environment chooses, opened once a process.

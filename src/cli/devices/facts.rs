@@ -121,7 +121,7 @@ pub fn measured(number: usize, probe: &Probe) -> Option<anyhow::Result<Measured>
 }
 
 fn measure(number: usize) -> anyhow::Result<Measured> {
-    let gpu = Gpu::new(&crate::options::headless(Some(number.to_string())))?;
+    let gpu = Gpu::new(&effigy_runtime::cache::headless(Some(number.to_string())))?;
     let sort = choose(&gpu)?;
     let options = RendererOptions::new(DEMO_SIZE);
     if !Question::is_open(&gpu, &options) {

@@ -23,8 +23,8 @@ pub use filter::{Filter, LowPass};
 pub use inputs::{Inputs, Subspace};
 pub use matrix::Matrix;
 pub use model::{
-    Activation, Avatar, Gaussians, Level, LevelError, NetworkLayer, Networks, Nodes, Parts, Rows,
-    ShCoefficients,
+    Activation, Avatar, Gaussians, Level, LevelError, NetworkLayer, Networks, Nodes, Parts,
+    ROW_COMPONENTS, Rows, ShCoefficients,
 };
 pub use motion::Clip;
 pub use pose::Pose;

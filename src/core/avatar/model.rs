@@ -269,6 +269,9 @@ pub struct NetworkLayer {
     pub bias: Vec<f16>,
 }
 
+/// Numbers a Gaussian of rotation, log scale and colour, the attributes that have [`Rows`].
+pub const ROW_COMPONENTS: [usize; 3] = [4, 3, 3];
+
 /// The basis rows of one attribute with C components, stored only for the Gaussians that pruning
 /// retained.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -10,13 +10,14 @@ use crate::distil::learner::{Learner, StageSchedule};
 use crate::distil::samples::{InputSamples, SampleOptions};
 use crate::distil::solve::PartProblem;
 use crate::distil::teacher::{AnchorFeatures, Teacher};
-use crate::prune::{RetainedRows, RowBudget, RowSubject, WIDTHS, select_rows};
-use effigy_core::avatar::{Avatar, Matrix, Pose, Rows};
+use crate::prune::{RowBudget, RowSubject, select_rows};
+use effigy_core::avatar::{Avatar, Matrix, Pose, ROW_COMPONENTS, Rows};
 use effigy_core::io::file::FormatError;
 use effigy_formats::mmlphuman::Checkpoint;
 use effigy_math::sampling::evenly_spaced;
 use half::f16;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Fewest training poses.
 pub const MIN_POSES: usize = 8;
@@ -367,7 +368,7 @@ impl<'a> Students<'a> {
         for (part, solution) in parts.iter().enumerate() {
             let mut column = 0;
             for gaussian in avatar.parts.gaussians(part) {
-                for (a, width) in WIDTHS.into_iter().enumerate() {
+                for (a, width) in ROW_COMPONENTS.into_iter().enumerate() {
                     if solution.retained[a]
                         .binary_search(&(gaussian as u32))
                         .is_err()
@@ -435,7 +436,6 @@ impl<'a> Students<'a> {
         let whole = self.refine(&mut learner, &RetainedRows::All);
         let samples = self.samples;
         let subject = RowSubject {
-            body: &whole,
             poses: samples
                 .learned
                 .iter()
@@ -444,12 +444,35 @@ impl<'a> Students<'a> {
             mean: &self.mean,
             covariances: learner.feature_covariances(&samples.rows, &samples.training),
         };
-        let retained = select_rows(&subject, &whole, options.budget);
+        let retained = RetainedRows::Listed(select_rows(&subject, &whole, options.budget));
         self.refine(&mut learner, &retained);
         run.stage(&mut learner, 2, quarter);
         progress(run.done, "solving bases");
         let avatar = self.refine(&mut learner, &retained);
         (avatar, learner)
+    }
+}
+
+/// Which Gaussians keep a corrective, after pruning or before.
+enum RetainedRows {
+    /// Every Gaussian has a corrective of every attribute: nothing was pruned.
+    All,
+    /// For rotation, scale and colour the Gaussians that have a corrective, in rising order.
+    Listed([Vec<u32>; 3]),
+}
+
+impl RetainedRows {
+    /// Those of a range of Gaussians. `attribute`: 0 to 2, rotation, scale and colour.
+    fn within(&self, attribute: usize, range: &Range<usize>) -> Vec<u32> {
+        match self {
+            Self::All => (range.start as u32..range.end as u32).collect(),
+            Self::Listed(lists) => {
+                let list = &lists[attribute];
+                let first_from =
+                    |gaussian: usize| list.partition_point(|&k| (k as usize) < gaussian);
+                list[first_from(range.start)..first_from(range.end)].to_vec()
+            }
+        }
     }
 }
 

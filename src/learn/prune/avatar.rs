@@ -1,8 +1,8 @@
 //! An avatar with fewer rows, by what it is in some poses.
 
 use crate::poses;
-use crate::prune::{RetainedRows, RowBudget, RowSubject, WIDTHS, select_rows};
-use effigy_core::avatar::{Avatar, Pose, Rows, motion::Player};
+use crate::prune::{RowBudget, RowSubject, select_rows};
+use effigy_core::avatar::{Avatar, Pose, ROW_COMPONENTS, Rows, motion::Player};
 use effigy_core::reference::basis::corrective;
 use effigy_core::reference::mlp;
 use effigy_math::covariance::RunningCovariance;
@@ -28,21 +28,20 @@ pub fn prune(avatar: &Avatar, players: &[Player], budget: RowBudget) -> Avatar {
     let features = AttributeFeatures::new(avatar, &poses);
     let mean = means(avatar, &features);
     let subject = RowSubject {
-        body: avatar,
         poses: poses.iter().collect(),
         mean: &mean,
         covariances: features.covariances,
     };
-    let retained = select_rows(&subject, avatar, budget);
+    let [rotations, scales, colors] = select_rows(&subject, avatar, budget);
     let [rotation, scale, color] = &mean;
     let mut pruned = avatar.clone();
-    pruned.rotation_rows = keep(&avatar.rotation_rows, &retained, 0, |k| {
+    pruned.rotation_rows = keep(&avatar.rotation_rows, rotations, |k| {
         pruned.gaussians.rotation[k] = halves(rotation, k);
     });
-    pruned.scale_rows = keep(&avatar.scale_rows, &retained, 1, |k| {
+    pruned.scale_rows = keep(&avatar.scale_rows, scales, |k| {
         pruned.gaussians.log_scale[k] = halves(scale, k);
     });
-    pruned.color_rows = keep(&avatar.color_rows, &retained, 2, |k| {
+    pruned.color_rows = keep(&avatar.color_rows, colors, |k| {
         pruned.gaussians.color[k] = halves(color, k);
     });
     pruned
@@ -83,7 +82,7 @@ fn means(avatar: &Avatar, features: &AttributeFeatures) -> [Vec<f32>; 3] {
         out.extend(sums.map(|(neutral, moved)| (neutral.to_f64() + moved) as f32));
     }
     let gaussians = &avatar.gaussians;
-    let mut means = WIDTHS.map(|width| Vec::with_capacity(width * gaussians.len()));
+    let mut means = ROW_COMPONENTS.map(|width| Vec::with_capacity(width * gaussians.len()));
     for (part, e) in features.mean.iter().enumerate() {
         for k in avatar.parts.gaussians(part) {
             let [rotation, scale, color] = &mut means;
@@ -112,15 +111,12 @@ fn halves<const C: usize>(means: &[f32], gaussian: usize) -> [f16; C] {
     std::array::from_fn(|c| f16::from_f32(means[gaussian * C + c]))
 }
 
-/// The rows that are retained. `drop`: called with the Gaussian of each other row.
+/// The rows of the retained Gaussians. `drop`: called with the Gaussian of each other row.
 fn keep<const C: usize>(
     rows: &Rows<C>,
-    retained: &RetainedRows,
-    attribute: usize,
+    retained: Vec<u32>,
     mut drop: impl FnMut(usize),
 ) -> Rows<C> {
-    let last = rows.gaussian.last().map_or(0, |&last| last as usize + 1);
-    let retained = retained.within(attribute, &(0..last));
     let length = rows.basis.len() / rows.gaussian.len().max(1);
     let mut kept = Vec::with_capacity(retained.len());
     for (row, &gaussian) in rows.gaussian.iter().enumerate() {

@@ -74,7 +74,7 @@ struct ContributionView {
 
 /// Some poses, seen from all sides in turn.
 fn views(subject: &RowSubject, avatar: &Avatar) -> impl Iterator<Item = ContributionView> {
-    let bounds = AvatarBounds::new(subject.body);
+    let bounds = AvatarBounds::new(avatar);
     let all: Vec<usize> = (0..subject.poses.len()).collect();
     evenly_spaced(&all, DRAWN)
         .into_iter()

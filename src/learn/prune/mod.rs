@@ -6,5 +6,5 @@ mod select;
 mod subject;
 
 pub use avatar::prune;
-pub use select::{RetainedRows, RowBudget, select_rows};
-pub use subject::{RowSubject, WIDTHS};
+pub use select::{RowBudget, select_rows};
+pub use subject::RowSubject;

@@ -5,7 +5,6 @@ use crate::prune::contribution::image_costs;
 use crate::prune::subject::RowSubject;
 use effigy_core::avatar::{Avatar, Rows};
 use rayon::prelude::*;
-use std::ops::Range;
 
 /// How many rows to retain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,34 +13,9 @@ pub enum RowBudget {
     Rows(usize),
     /// For each attribute, the fewest rows that hold this share of its variance, 0 to 1.
     Variance(f64),
-    /// So many rows of all three attributes together: those that images would lose
-    /// most without.
+    /// So many rows of all three attributes together: those that images would lose most
+    /// without.
     Contribution(usize),
-}
-
-/// Which Gaussians keep a corrective, after pruning or before.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum RetainedRows {
-    /// Every Gaussian has a corrective of every attribute: nothing was pruned.
-    #[default]
-    All,
-    /// For rotation, scale and colour the Gaussians that have a corrective, in rising order.
-    Listed([Vec<u32>; 3]),
-}
-
-impl RetainedRows {
-    /// Those of a range of Gaussians. `attribute`: 0 to 2, rotation, scale and colour.
-    pub fn within(&self, attribute: usize, range: &Range<usize>) -> Vec<u32> {
-        match self {
-            Self::All => (range.start as u32..range.end as u32).collect(),
-            Self::Listed(lists) => {
-                let list = &lists[attribute];
-                let first_from =
-                    |gaussian: usize| list.partition_point(|&k| (k as usize) < gaussian);
-                list[first_from(range.start)..first_from(range.end)].to_vec()
-            }
-        }
-    }
 }
 
 /// The variance of each row's corrective, summed over its components: bᵀ Σ b of the covariance of
@@ -115,8 +89,8 @@ fn divide_budget(costs: &[Vec<f64>; 3], count: usize) -> [usize; 3] {
     counts
 }
 
-/// The rows of an avatar that a budget retains, by its networks' features over the training poses.
-pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: RowBudget) -> RetainedRows {
+/// The Gaussians whose rows of rotation, scale and colour a budget retains, each in rising order.
+pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: RowBudget) -> [Vec<u32>; 3] {
     let basis = avatar.basis_len();
     let covariances = &subject.covariances;
     let starts = &avatar.parts.start;
@@ -142,9 +116,7 @@ pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: RowBudget) -> 
             divide_budget(&costs, count)
         }
     };
-    RetainedRows::Listed(std::array::from_fn(|a| {
-        costliest(gaussians[a], &costs[a], counts[a])
-    }))
+    std::array::from_fn(|a| costliest(gaussians[a], &costs[a], counts[a]))
 }
 
 #[cfg(test)]

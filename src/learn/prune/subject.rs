@@ -1,14 +1,9 @@
 //! What rows are chosen by.
 
-use effigy_core::avatar::{Avatar, Pose};
-
-/// Numbers a Gaussian of rotation, log scale and colour.
-pub const WIDTHS: [usize; 3] = [4, 3, 3];
+use effigy_core::avatar::Pose;
 
 /// What the rows of an avatar are chosen by.
 pub struct RowSubject<'a> {
-    /// The avatar's body, which bounds the images.
-    pub body: &'a Avatar,
     /// The poses that rows are weighed in.
     pub poses: Vec<&'a Pose>,
     /// Rotation, log scale and colour of the Gaussians that keep no corrective; each of shape N_g,

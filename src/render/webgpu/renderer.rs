@@ -210,19 +210,7 @@ impl Renderer {
         }
         let levels = model::levels(avatar);
         self.make_room(&levels)?;
-        self.model.fill_levels(&self.gpu, avatar, &levels);
-        if let Some(sh) = &mut self.sh {
-            sh.replace(
-                &self.gpu,
-                avatar,
-                &levels,
-                &self.model,
-                &self.blocks,
-                &self.pose,
-            )?;
-        }
-        self.show_anew(avatar, bounds);
-        self.gpu.check()?;
+        self.show_anew(avatar, &levels, bounds)?;
         Ok(true)
     }
 
@@ -241,14 +229,31 @@ impl Renderer {
         Ok(())
     }
 
-    /// Has the next frame compute and draw all of an avatar.
-    fn show_anew(&mut self, avatar: &Avatar, bounds: AvatarBounds) {
+    /// Writes levels and harmonics, and has the next frame compute and draw all of an avatar.
+    fn show_anew(
+        &mut self,
+        avatar: &Avatar,
+        levels: &[Avatar],
+        bounds: AvatarBounds,
+    ) -> Result<()> {
+        self.model.fill_levels(&self.gpu, avatar, levels);
+        if let Some(sh) = &mut self.sh {
+            sh.replace(
+                &self.gpu,
+                avatar,
+                levels,
+                &self.model,
+                &self.blocks,
+                &self.pose,
+            )?;
+        }
         self.avatar_bounds = bounds;
         self.needs = PartDependencies::new(avatar);
         for cache in &mut self.pose_caches {
             *cache = PoseCache::default();
         }
         self.state = FrameState::default();
+        self.gpu.check()
     }
 
     /// Draws this avatar from now on, which has the Gaussians and the nodes of the one before and
@@ -273,19 +278,7 @@ impl Renderer {
             self.make_room(&levels)?;
         }
         self.model.fill(&self.gpu, avatar);
-        self.model.fill_levels(&self.gpu, avatar, &levels);
-        if let Some(sh) = &mut self.sh {
-            sh.replace(
-                &self.gpu,
-                avatar,
-                &levels,
-                &self.model,
-                &self.blocks,
-                &self.pose,
-            )?;
-        }
-        self.show_anew(avatar, bounds);
-        self.gpu.check()?;
+        self.show_anew(avatar, &levels, bounds)?;
         Ok(true)
     }
 

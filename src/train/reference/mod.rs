@@ -4,10 +4,10 @@
 //! Tests compare the kernels with this, and this with finite differences of the loss.
 
 use crate::loss::LossWeights;
-use crate::parameters::{BASIS, COMPONENTS, GAUSSIAN, ParameterLayout, Parameters, sigmoid};
+use crate::parameters::{BASIS, GAUSSIAN, ParameterLayout, Parameters, sigmoid};
 use crate::topology::{CorrectiveRows, Topology};
 use crate::view::{Shows, TrainingView};
-use effigy_core::avatar::matrix::Row;
+use effigy_core::avatar::{ROW_COMPONENTS, matrix::Row};
 use effigy_core::reference::basis::{combine, combine_backward};
 use effigy_core::reference::mlp::{Neuron, activate, activate_backward, linear, linear_backward};
 use effigy_core::reference::nodes::displacement;
@@ -138,7 +138,7 @@ impl Problem<'_> {
         let e = &features(&activations[part])[..BASIS];
         let mut all = [0.0; 10];
         let mut at = 0;
-        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+        for (attribute, components) in ROW_COMPONENTS.into_iter().enumerate() {
             if let Some(row) = self.row(attribute, gaussian) {
                 let basis = &p.bases[self.layout.row(attribute, row)];
                 for (c, functions) in basis.chunks_exact(BASIS).enumerate() {
@@ -277,7 +277,7 @@ impl Problem<'_> {
         let part = usize::from(self.topology.gaussians[gaussian].part);
         let e = features(&forward.activations[part]);
         let mut at = 0;
-        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+        for (attribute, components) in ROW_COMPONENTS.into_iter().enumerate() {
             let weight = self.weights.correctives[attribute] / (components as f64 * count);
             if let Some(row) = self.row(attribute, gaussian) {
                 let first = self.layout.row(attribute, row).start;
@@ -505,7 +505,7 @@ impl Problem<'_> {
             .sum();
         let mut at = 0;
         let mut sum = self.weights.scale * scale / (3.0 * count);
-        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+        for (attribute, components) in ROW_COMPONENTS.into_iter().enumerate() {
             let own = at..at + components;
             let all: f64 = forward
                 .correctives
