@@ -1,5 +1,6 @@
 //! Width, height and channels of a picture from the first bytes of its file, without decoding it: a
-//! capture has tens of thousands.
+//! capture has tens of thousands. (The crate `imagesize` knows of no alpha, and refuses JPEGs with
+//! fill bytes before a marker.)
 
 use crate::limits;
 use effigy_core::io::file::FormatError;

@@ -165,10 +165,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 /// Checks the files of a soak before the work. `out`: begins their names.
 pub fn check_files(out: &Path) -> anyhow::Result<()> {
-    let files = soak::files::ENDINGS.map(|ending| {
-        let path = soak::files::path(out, ending);
-        Output::new(path, ending)
-    });
+    let file = |ending| Output::new(soak::files::path(out, ending), ending);
+    let files: Vec<Output> = soak::files::ENDINGS.iter().copied().map(file).collect();
     output::check(&files)
 }
 

@@ -15,8 +15,10 @@
 //!   against each other.
 //! - [`chart`] draws the charts of all of them, and of trainings.
 
+#[cfg(feature = "charts")]
 pub mod bench;
 pub mod bytes;
+#[cfg(feature = "charts")]
 pub mod chart;
 pub mod coverage;
 pub mod error;

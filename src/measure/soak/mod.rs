@@ -6,6 +6,8 @@
 //! is wrong with it; [`files`] writes its JSON, CSV and chart.
 
 pub mod cadence;
+#[cfg(feature = "charts")]
+mod chart;
 pub mod faults;
 pub mod files;
 pub mod memory;
