@@ -217,8 +217,7 @@ impl WindowPainter {
     pub fn set_quality(&mut self, quality: &FrameQuality) -> Result<()> {
         self.renderer.adjust(
             quality.size(self.size()),
-            quality.cutoff(&self.full_quality),
-            quality.detail(&self.full_quality),
+            quality.detail(self.full_quality.detail),
         )
     }
 

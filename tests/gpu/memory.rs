@@ -11,7 +11,6 @@ use crate::common::{
 };
 use effigy_core::{
     avatar::Pose,
-    constants::ALPHA_MIN,
     frame::Skip,
     layout::{BINNING_BLOCK, POSE_CACHE_WORDS, TILING},
     scene::{Camera, Detail, FrameImage, Posed, Supersampling},
@@ -47,9 +46,8 @@ fn before_and_after<T>(device: &std::sync::Arc<Gpu>, read: impl Fn() -> T) -> [T
         for frame in 0..frames {
             let part = if frame / 50 % 2 == 0 { size } else { [48, 60] };
             let odd = frame / 100 % 2 == 1;
-            let cutoff = if odd { 2.0 * ALPHA_MIN } else { ALPHA_MIN };
             let detail = Detail::FULL.at_least(u32::from(odd));
-            renderer.adjust(part, cutoff, detail).unwrap();
+            renderer.adjust(part, detail).unwrap();
             let mut camera = camera.stretched(part);
             // Nearer and further: the samples follow.
             camera.view.translation.z += 0.2 * (frame % 7) as f64;

@@ -2,7 +2,6 @@
 
 use crate::common::{self, Sizes, gpu};
 use effigy_core::{
-    constants::ALPHA_MIN,
     reference,
     scene::{Detail, FrameImage, Posed},
 };
@@ -35,7 +34,7 @@ fn a_stretched_image_agrees_with_the_reference() {
             unsafe { screen.set_image(renderer.raster().image()) };
             let camera = gpu::camera(&avatar, &posed, size);
             for drawn in [size, [75, 95], [149, 61], [1, 1]] {
-                renderer.adjust(drawn, ALPHA_MIN, Detail::FULL).unwrap();
+                renderer.adjust(drawn, Detail::FULL).unwrap();
                 let mut record = |commands: Recording| screen.record(commands, drawn, BACKGROUND);
                 // SAFETY: the frame is waited for below, when its image is read.
                 let presentation = unsafe { Presentation::new(None, &mut record) };
@@ -89,18 +88,14 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it(method: RasterMethod) {
     let ladder = Ladder::new(120.0);
     // Down, and up again at once: what one rung leaves must not show in another.
     for rung in ladder.rungs().iter().chain(&ladder.rungs()[..1]) {
-        let (size, cutoff, detail) = (
-            rung.quality.size(screen),
-            rung.quality.cutoff(&options),
-            rung.quality.detail(&options),
-        );
-        renderer.adjust(size, cutoff, detail).unwrap();
+        let size = rung.quality.size(screen);
+        let detail = rung.quality.detail(options.detail);
+        renderer.adjust(size, detail).unwrap();
         let camera = camera.stretched(size);
         renderer.draw(&posed, &camera, None).unwrap();
         let image = renderer.read_image().unwrap();
         let made = RendererOptions {
             size,
-            cutoff,
             detail,
             ..options
         };
@@ -114,17 +109,14 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it(method: RasterMethod) {
     }
     assert_eq!(device.memory().0, held, "{method:?}: steps take memory");
     let refused = renderer
-        .adjust([161, 10], ALPHA_MIN, Detail::FULL)
+        .adjust([161, 10], Detail::FULL)
         .unwrap_err()
         .to_string();
     assert!(
         refused.contains("161 × 10 px") && refused.contains("160 × 200 px"),
         "{refused}"
     );
-    assert!(
-        renderer.adjust(screen, 0.0, Detail::FULL).is_err()
-            && renderer.adjust([0, 5], ALPHA_MIN, Detail::FULL).is_err()
-    );
+    assert!(renderer.adjust([0, 5], Detail::FULL).is_err());
 }
 
 /// The validator counts the pixels that its frame drew, whatever the frames after it draw.

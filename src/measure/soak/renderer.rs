@@ -96,8 +96,7 @@ impl<'a> SoakRenderer<'a> {
     pub fn set_quality(&mut self, quality: FrameQuality) -> Result<()> {
         self.renderer.adjust(
             quality.size(self.options.size),
-            quality.cutoff(&self.options),
-            quality.detail(&self.options),
+            quality.detail(self.options.detail),
         )?;
         self.quality = quality;
         self.held = 0;

@@ -170,12 +170,10 @@ impl SoakReport {
 pub struct LadderStep {
     /// Name of the rung, after what it gives up.
     pub name: String,
-    /// This and the next five: see [`FrameQuality`].
+    /// This and the next four: see [`FrameQuality`].
     pub scale: f64,
     /// Frames that each pose is held for.
     pub hold: u32,
-    /// Factor of the opacity cutoff.
-    pub cutoff: f64,
     /// By how many levels small avatars are drawn coarser; 0 in reports from before there was that.
     #[serde(default)]
     pub coarser: usize,
@@ -191,7 +189,6 @@ impl From<&Rung> for LadderStep {
         let FrameQuality {
             scale,
             hold,
-            cutoff,
             coarser,
             level,
             refreshes,
@@ -200,7 +197,6 @@ impl From<&Rung> for LadderStep {
             name: rung.name.clone(),
             scale,
             hold,
-            cutoff,
             coarser,
             level,
             refreshes,

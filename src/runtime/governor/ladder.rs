@@ -2,7 +2,6 @@
 //! in, rungs come out.
 
 use effigy_core::scene::Detail;
-use effigy_render::vulkan::RendererOptions;
 
 /// Motion at this rate or above looks smooth, frames a second. From 1.5 times this rate on, holding
 /// a pose for two frames is one of the first steps.
@@ -18,9 +17,6 @@ pub struct FrameQuality {
     pub scale: f64,
     /// Frames that each pose is held for, at least 1.
     pub hold: u32,
-    /// Factor of the opacity cutoff, at least 1: fainter Gaussians, and the faint rims of others,
-    /// are skipped.
-    pub cutoff: f64,
     /// By how many levels small avatars are drawn coarser than is near enough.
     pub coarser: usize,
     /// The finest level of detail that may be drawn; 0 is full detail.
@@ -34,7 +30,6 @@ impl FrameQuality {
     pub const FULL: Self = Self {
         scale: 1.0,
         hold: 1,
-        cutoff: 1.0,
         coarser: 0,
         level: 0,
         refreshes: 1,
@@ -45,16 +40,11 @@ impl FrameQuality {
         full_size.map(|side| ((f64::from(side) * self.scale).round() as u32).max(1))
     }
 
-    /// The opacity cutoff to draw with, 0 to 1, from that of the options.
-    pub fn cutoff(&self, options: &RendererOptions) -> f64 {
-        (options.cutoff * self.cutoff).min(1.0)
-    }
-
-    /// The level of detail to draw with, from that of the options.
-    pub fn detail(&self, options: &RendererOptions) -> Detail {
+    /// The level of detail to draw with, from that of full quality.
+    pub fn detail(&self, full: Detail) -> Detail {
         Detail {
-            coarser: options.detail.coarser + self.coarser,
-            ..options.detail.at_least(self.level)
+            coarser: full.coarser + self.coarser,
+            ..full.at_least(self.level)
         }
     }
 }
@@ -86,10 +76,8 @@ impl Ladder {
     pub fn new(rate: f64) -> Self {
         // Each list ends with halving the display's rate.
         const FOR_SMALL: &[Concession] = &[
-            Concession::Cutoff(2.0),
             Concession::Coarser(1),
             Concession::Hold,
-            Concession::Cutoff(4.0),
             Concession::Coarser(2),
             Concession::Refresh,
         ];
@@ -98,9 +86,7 @@ impl Ladder {
             Concession::Scale(0.8),
             Concession::Hold,
             Concession::Scale(0.7),
-            Concession::Cutoff(2.0),
             Concession::Scale(0.6),
-            Concession::Cutoff(4.0),
             Concession::Level(1),
             Concession::Scale(0.5),
             Concession::Refresh,
@@ -108,10 +94,8 @@ impl Ladder {
         const FOR_OTHER_RATES: &[Concession] = &[
             Concession::Scale(0.9),
             Concession::Scale(0.8),
-            Concession::Cutoff(2.0),
             Concession::Scale(0.7),
             Concession::Scale(0.6),
-            Concession::Cutoff(4.0),
             Concession::Level(1),
             Concession::Scale(0.5),
             Concession::Hold,
@@ -180,8 +164,6 @@ enum Concession {
     Scale(f64),
     /// Holds each pose for two frames.
     Hold,
-    /// Multiplies the opacity cutoff by this.
-    Cutoff(f64),
     /// Draws small avatars from a level that is coarser by so many than what is near enough.
     Coarser(usize),
     /// Draws at this level of detail or a coarser one.
@@ -195,7 +177,6 @@ impl Concession {
         match self {
             Self::Scale(scale) => quality.scale = scale,
             Self::Hold => quality.hold = 2,
-            Self::Cutoff(factor) => quality.cutoff = factor,
             Self::Coarser(levels) => quality.coarser = levels,
             Self::Level(level) => quality.level = level,
             Self::Refresh => {
@@ -210,7 +191,6 @@ impl Concession {
         match self {
             Self::Scale(scale) => format!("scale {scale}"),
             Self::Hold => format!("pose {:.0} Hz", rate / 2.0),
-            Self::Cutoff(factor) => format!("cutoff {factor}/255"),
             Self::Coarser(levels) => format!("{levels} coarser"),
             Self::Level(level) => format!("detail {}", Detail::FULL.at_least(level)),
             Self::Refresh => format!("display {:.0} Hz", rate / 2.0),
@@ -229,14 +209,9 @@ impl Concession {
 fn cost(quality: &FrameQuality) -> f64 {
     let thin = 0.72f64.powi(quality.level as i32);
     let pixels = thin * (0.25 + 0.75 * quality.scale * quality.scale);
-    let faint = match quality.cutoff {
-        c if c >= 4.0 => 0.85,
-        c if c >= 2.0 => 0.94,
-        _ => 1.0,
-    };
     let held = if quality.hold > 1 { 0.75 } else { 1.0 };
     let coarser = 0.45f64.powi(quality.coarser as i32);
-    pixels * coarser * faint * held / f64::from(quality.refreshes)
+    pixels * coarser * held / f64::from(quality.refreshes)
 }
 
 #[cfg(test)]
@@ -271,18 +246,11 @@ mod tests {
     }
 
     #[test]
-    fn sizes_are_at_least_a_pixel_and_cutoffs_at_most_one() {
+    fn sizes_are_at_least_a_pixel() {
         let low = FrameQuality {
             scale: 0.5,
-            cutoff: 400.0,
             ..FrameQuality::FULL
         };
-        assert_eq!(
-            (
-                low.size([1, 801]),
-                low.cutoff(&RendererOptions::new([1, 1]))
-            ),
-            ([1, 401], 1.0)
-        );
+        assert_eq!(low.size([1, 801]), [1, 401]);
     }
 }

@@ -68,9 +68,7 @@ fn coarser_levels_are_drawn_where_asked_for(raster: Raster) {
             coarser,
             ..options.detail
         };
-        renderer
-            .adjust(options.size, options.cutoff, detail)
-            .unwrap();
+        renderer.adjust(options.size, detail).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
         let image = renderer.read_image().unwrap();
         let expected =

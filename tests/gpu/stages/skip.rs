@@ -355,7 +355,7 @@ fn only_a_box_around_the_avatar_is_drawn(raster: Raster) {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         let mut images = Vec::new();
         for size in [whole, part, whole] {
-            renderer.adjust(size, options.cutoff, Detail::FULL).unwrap();
+            renderer.adjust(size, Detail::FULL).unwrap();
             for (left, far) in views {
                 let target = (bounds[0] + bounds[1]) / 2.0 + DVec3::new(left, 0.0, 0.0);
                 let camera = Camera::orbit(

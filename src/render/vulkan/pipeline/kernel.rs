@@ -81,27 +81,9 @@ impl Kernel {
     /// # Safety
     /// No submitted work may use the kernel.
     pub unsafe fn specialize(&mut self, constants: &[u32], launch: Launch) -> Result<()> {
-        let pipeline = self.specialized(constants, launch)?;
-        // SAFETY: the caller promises what the function asks for.
-        unsafe { self.adopt(pipeline) };
+        self.pipeline =
+            compute_pipeline(&self.gpu, self.module, constants, &self.bindings, launch)?;
         Ok(())
-    }
-
-    /// The first half of [`Self::specialize`]: changes nothing yet.
-    pub(crate) fn specialized(
-        &self,
-        constants: &[u32],
-        launch: Launch,
-    ) -> Result<Arc<SharedPipeline>> {
-        compute_pipeline(&self.gpu, self.module, constants, &self.bindings, launch)
-    }
-
-    /// The second half of [`Self::specialize`].
-    ///
-    /// # Safety
-    /// No submitted work may use the kernel.
-    pub(crate) unsafe fn adopt(&mut self, pipeline: Arc<SharedPipeline>) {
-        self.pipeline = pipeline;
     }
 
     /// Sets the image of a kernel that writes one.

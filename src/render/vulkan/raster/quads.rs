@@ -152,24 +152,6 @@ impl Quads {
         self.drawn = size;
     }
 
-    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with.
-    ///
-    /// # Safety
-    /// No submitted work may draw with it.
-    pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        let layout = self.bindings.layout();
-        let new = |saturation| pipeline(&self.gpu, &self.render_pass, layout, saturation, options);
-        let untested = new(None)?;
-        if let Some(test) = &mut self.test {
-            let tested = new(Some(&test.saturation))?;
-            // SAFETY: the caller promises that no work draws with it.
-            unsafe { test.saturation.set_cutoff(options) }?;
-            test.pipeline = tested;
-        }
-        self.pipeline = untested;
-        Ok(())
-    }
-
     /// Reads splats in the one buffer that it read in the other.
     ///
     /// # Safety

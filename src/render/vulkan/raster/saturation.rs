@@ -98,16 +98,6 @@ impl Saturation {
         Ok(())
     }
 
-    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with.
-    ///
-    /// # Safety
-    /// No submitted work may draw with it.
-    pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        let constants = self.bins.constants(constants(options));
-        // SAFETY: the caller promises that no work uses the kernel.
-        unsafe { self.kernel.specialize(&constants, LAUNCH) }
-    }
-
     /// Reads splats in the one buffer that it read in the other.
     ///
     /// # Safety

@@ -314,17 +314,4 @@ impl Raster {
             Method::Tiles(tiles) => tiles.draw_within(size),
         }
     }
-
-    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with.
-    ///
-    /// # Safety
-    /// No submitted work may draw with it.
-    pub(crate) unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        match &mut self.method {
-            // SAFETY: the caller promises that no work draws with it.
-            Method::Quads(quads) => unsafe { quads.set_cutoff(options) },
-            // SAFETY: the caller promises that no work draws with it.
-            Method::Tiles(tiles) => unsafe { tiles.set_cutoff(options) },
-        }
-    }
 }

@@ -150,27 +150,6 @@ impl Tiles {
         self.drawn = size;
     }
 
-    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with.
-    ///
-    /// # Safety
-    /// No submitted work may draw with it.
-    pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        let launch = launch(&self.gpu, &self.lists);
-        let constants = constants(&self.lists, options);
-        // All before any: a failure leaves both as they are.
-        let targets = std::iter::once(&self.target).chain(&self.atlas);
-        let pipelines: Vec<_> = targets
-            .map(|target| target.kernel.specialized(&constants, launch))
-            .collect::<Result<_>>()?;
-        let targets = std::iter::once(&mut self.target).chain(&mut self.atlas);
-        for (target, pipeline) in targets.zip(pipelines) {
-            // SAFETY: the caller promises that no work uses the kernel.
-            unsafe { target.kernel.adopt(pipeline) };
-        }
-        self.options = *options;
-        Ok(())
-    }
-
     /// Reads splats in the one buffer that it read in the other.
     ///
     /// # Safety

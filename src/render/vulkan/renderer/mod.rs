@@ -583,27 +583,15 @@ impl Renderer {
     }
 
     /// Draws images of `size` px from now on, in the upper left corner of what it was made or
-    /// resized for, nothing fainter than `cutoff` (as [`RendererOptions::cutoff`]), and at this
-    /// level of detail. Waits for submitted frames where that changes anything. Nothing is
-    /// allocated.
+    /// resized for, at this level of detail. Waits for submitted frames where that changes anything.
+    /// Nothing is allocated.
     ///
     /// # Errors
-    /// When the size does not fit, the cutoff is invalid, or the device fails. Then the next frame
-    /// is drawn as before.
-    pub fn adjust(&mut self, size: [u32; 2], cutoff: f64, detail: Detail) -> Result<()> {
-        let options = RendererOptions {
-            size,
-            cutoff,
-            detail,
-            ..self.options
-        };
-        if size == self.options.size
-            && cutoff == self.options.cutoff
-            && detail == self.options.detail
-        {
+    /// When the size does not fit, or the device fails. Then the next frame is drawn as before.
+    pub fn adjust(&mut self, size: [u32; 2], detail: Detail) -> Result<()> {
+        if size == self.options.size && detail == self.options.detail {
             return Ok(());
         }
-        options.check()?;
         let capacity = self.raster.image().size;
         if !(0..2).all(|axis| (1..=capacity[axis]).contains(&size[axis])) {
             let [found, capacity] =
@@ -615,13 +603,10 @@ impl Renderer {
             }));
         }
         self.finish()?;
-        if cutoff != self.options.cutoff {
-            // SAFETY: every frame is done.
-            unsafe { self.raster.set_cutoff(&options) }?;
-        }
         self.has_image &= self.raster.drawn() == size;
         self.raster.draw_within(size);
-        self.options = options;
+        self.options.size = size;
+        self.options.detail = detail;
         self.forget();
         Ok(())
     }
