@@ -37,52 +37,7 @@ fn main() {
         if !asked(network.name()) {
             continue;
         }
-        let start = Instant::now();
-        let folder = env::var("EFFIGY_ASSETS").unwrap_or("target/assets".into());
-        let perceptual = match Perceptual::read(network, Path::new(&folder)) {
-            Ok(perceptual) => perceptual,
-            Err(error) => {
-                println!("random weights: {error}");
-                Perceptual::random(network, 1)
-            }
-        };
-        let read = start.elapsed().as_secs_f64();
-        let start = Instant::now();
-        let checked = perceptual.check();
-        let check = start.elapsed().as_secs_f64();
-        println!(
-            "{:11}read in {:.0} ms, checked in {:.0} ms: {}",
-            network.name(),
-            1e3 * read,
-            1e3 * check,
-            checked.map_or_else(|error| error.to_string(), |()| "right".into())
-        );
-        for &side in &sides {
-            let image = picture(side, 3);
-            let target = picture(side, 5);
-            let features = perceptual.features(&target);
-            let seen = best(rounds, || {
-                black_box(perceptual.features(&target));
-            });
-            let value = best(rounds, || {
-                black_box(perceptual.value(&image, &features));
-            });
-            let before = processor_seconds();
-            let graded = best(rounds, || {
-                black_box(perceptual.value_and_gradient(&image, &features));
-            });
-            let processor = (processor_seconds() - before) / rounds as f64;
-            let billions = 2e-9 * network.operations([side; 2]);
-            println!(
-                "{:11}{side:>6}{:>14.1}{:>11.1}{:>19.1}{:>10.0}{:>17.0}",
-                network.name(),
-                1e3 * seen,
-                1e3 * value,
-                1e3 * graded,
-                billions / graded,
-                billions / processor
-            );
-        }
+        measure(network, rounds, &sides);
     }
     for &side in sides.iter().filter(|_| asked("dssim")) {
         let (image, target) = (picture(side, 3), picture(side, 5));
@@ -90,6 +45,56 @@ fn main() {
             black_box(dssim_and_gradient(&image, &target));
         });
         println!("{:11}{side:>6}{:>44.1}", "dssim", 1e3 * graded);
+    }
+}
+
+/// Prints how long a network's loss takes at each side, px.
+fn measure(network: Network, rounds: usize, sides: &[usize]) {
+    let start = Instant::now();
+    let folder = env::var("EFFIGY_ASSETS").unwrap_or("target/assets".into());
+    let perceptual = match Perceptual::read(network, Path::new(&folder)) {
+        Ok(perceptual) => perceptual,
+        Err(error) => {
+            println!("random weights: {error}");
+            Perceptual::random(network, 1)
+        }
+    };
+    let read = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    let checked = perceptual.check();
+    let check = start.elapsed().as_secs_f64();
+    println!(
+        "{:11}read in {:.0} ms, checked in {:.0} ms: {}",
+        network.name(),
+        1e3 * read,
+        1e3 * check,
+        checked.map_or_else(|error| error.to_string(), |()| "right".into())
+    );
+    for &side in sides {
+        let image = picture(side, 3);
+        let target = picture(side, 5);
+        let features = perceptual.features(&target);
+        let seen = best(rounds, || {
+            black_box(perceptual.features(&target));
+        });
+        let value = best(rounds, || {
+            black_box(perceptual.value(&image, &features));
+        });
+        let before = processor_seconds();
+        let graded = best(rounds, || {
+            black_box(perceptual.value_and_gradient(&image, &features));
+        });
+        let processor = (processor_seconds() - before) / rounds as f64;
+        let billions = 2e-9 * network.operations([side; 2]);
+        println!(
+            "{:11}{side:>6}{:>14.1}{:>11.1}{:>19.1}{:>10.0}{:>17.0}",
+            network.name(),
+            1e3 * seen,
+            1e3 * value,
+            1e3 * graded,
+            billions / graded,
+            billions / processor
+        );
     }
 }
 

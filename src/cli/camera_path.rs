@@ -71,14 +71,14 @@ impl FrameRange {
 
 /// Where those who are drawn are in a frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct CrowdPlacement {
     /// Lower and upper corner of the box around all, metres.
     pub bounds: [DVec3; 2],
     /// The point on the ground that goes along with them.
     pub ground: DVec3,
 }
 
-impl Place {
+impl CrowdPlacement {
     /// Whether a camera has who stands there in its image: head and feet, and arms at the box's sides.
     pub fn is_in_view(&self, camera: &Camera) -> bool {
         let [low, high] = self.bounds;
@@ -108,13 +108,13 @@ impl Place {
 }
 
 /// A box that holds every place: what one camera looks at.
-pub fn held(places: &[Place]) -> [DVec3; 2] {
+pub fn held(places: &[CrowdPlacement]) -> [DVec3; 2] {
     union(places.iter().map(|place| place.bounds))
 }
 
 /// For each place a box, all of one size, that goes along smoothly and holds it. `rate`: places a
 /// second.
-pub fn followed(places: &[Place], rate: f64) -> Vec<[DVec3; 2]> {
+pub fn followed(places: &[CrowdPlacement], rate: f64) -> Vec<[DVec3; 2]> {
     let ground: Vec<DVec3> = places.iter().map(|place| place.ground).collect();
     let path = smoothed(&ground, SMOOTHING * rate);
     let relative = places
@@ -168,8 +168,8 @@ fn smoothed(path: &[DVec3], deviation: f64) -> Vec<DVec3> {
 mod tests {
     use super::*;
 
-    fn place(at: DVec3) -> Place {
-        Place {
+    fn place(at: DVec3) -> CrowdPlacement {
+        CrowdPlacement {
             bounds: [
                 at - DVec3::new(0.3, 0.0, 0.2),
                 at + DVec3::new(0.3, 1.8, 0.2),
@@ -236,7 +236,7 @@ mod tests {
             let hop = (0.3 * (4.0 * seconds).sin()).max(0.0);
             place(DVec3::new(1.2 * seconds, hop, sway))
         };
-        let places: Vec<Place> = (0..200).map(at).collect();
+        let places: Vec<CrowdPlacement> = (0..200).map(at).collect();
         let boxes = followed(&places, 60.0);
         let size = boxes[0][1] - boxes[0][0];
         for (own, place) in boxes.iter().zip(&places) {

@@ -10,7 +10,7 @@ use effigy_core::avatar::{Avatar, Clip};
 use effigy_formats::{
     assumption::Assumption,
     open::{self, OpenedClip},
-    webavatar::Imported,
+    webavatar::ForeignAvatar,
 };
 use std::path::Path;
 
@@ -21,7 +21,7 @@ impl OpenFiles for Source {
 
     fn avatar(&self, path: &Path) -> anyhow::Result<OpenedFile<LoadedAvatar>> {
         let source = self.for_avatar(path);
-        let Imported {
+        let ForeignAvatar {
             avatar,
             assumptions,
         } = source.read(path)?;

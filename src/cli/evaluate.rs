@@ -159,32 +159,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let scorer =
         Scorer::new(&capture, candidate, args.background, perceptual.as_ref()).with_poses(poses);
-    let bar = progress::items(views.len() as u64, "pictures");
-    let mut scores = Vec::new();
-    let mut left_out = 0;
-    for &view in &views {
-        // Another program may not have drawn all of them.
-        match scorer.compare(view) {
-            Ok(Some(compared)) => {
-                let score = scorer.named(view, &compared);
-                if let Some(folder) = &args.images {
-                    write_image(folder, &score, &compared)?;
-                }
-                scores.push(score);
-            }
-            Ok(None) => left_out += 1,
-            Err(error) => {
-                left_out += 1;
-                progress::say(&bar, format_args!("{error}"));
-            }
-        }
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    ensure!(
-        !scores.is_empty(),
-        "no picture could be compared: {left_out} are left out"
-    );
+    let scores = scores(&scorer, &views, args)?;
+    let left_out = views.len() - scores.len();
     let report = ScoreReport::new(scorer.protocol(), scores);
     print!("{}", table(&report));
     if left_out > 0 {
@@ -197,6 +173,34 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         evaluate_video::write(path, &scorer, errors)?;
     }
     Ok(())
+}
+
+/// Compares every view that the candidate has, and writes its images if they were asked for.
+fn scores(scorer: &Scorer, views: &[PictureIndex], args: &Args) -> anyhow::Result<Vec<ViewScore>> {
+    let bar = progress::items(views.len() as u64, "pictures");
+    let mut scores = Vec::new();
+    for &view in views {
+        // Another program may not have drawn all of them.
+        match scorer.compare(view) {
+            Ok(Some(compared)) => {
+                let score = scorer.named(view, &compared);
+                if let Some(folder) = &args.images {
+                    write_image(folder, &score, &compared)?;
+                }
+                scores.push(score);
+            }
+            Ok(None) => {}
+            Err(error) => progress::say(&bar, format_args!("{error}")),
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    ensure!(
+        !scores.is_empty(),
+        "no picture could be compared: {} are left out",
+        views.len()
+    );
+    Ok(scores)
 }
 
 /// The capture with poses of the frames of some views that fit their pictures.

@@ -4,7 +4,7 @@ use crate::{
     output::{self, NPZ, Output},
     source::Source,
 };
-use effigy_formats::webavatar::{self, Loss};
+use effigy_formats::webavatar::{self, LeftOut};
 use std::path::Path;
 
 #[derive(clap::Args, Debug)]
@@ -39,10 +39,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn in_words(loss: Loss) -> &'static str {
+fn in_words(loss: LeftOut) -> &'static str {
     match loss {
-        Loss::PoseSpace => "the training poses, onto which poses are projected",
-        Loss::Credit => "the credit: who made it, and on what terms",
+        LeftOut::PoseSpace => "the training poses, onto which poses are projected",
+        LeftOut::Credit => "the credit: who made it, and on what terms",
     }
 }
 

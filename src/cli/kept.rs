@@ -7,7 +7,7 @@ use effigy_core::{avatar::Avatar, io::file::write_whole, random::hash};
 use effigy_formats::{
     mmlphuman,
     open::{self, ClipOptions},
-    webavatar::Imported,
+    webavatar::ForeignAvatar,
 };
 use std::{
     fs,
@@ -21,7 +21,7 @@ const VERSION: u64 = 1;
 const KEPT: usize = 16;
 
 /// Where the avatar of a checkpoint is kept.
-struct Place {
+struct KeptPlace {
     folder: PathBuf,
     /// Begins the names of all that were distilled of a file at this path.
     path: String,
@@ -29,7 +29,7 @@ struct Place {
     file: String,
 }
 
-impl Place {
+impl KeptPlace {
     /// None where the system has no folder for it, or says too little of the file.
     fn of(checkpoint: &Path) -> Option<Self> {
         let folder = effigy_runtime::cache::folder()?.join("distilled");
@@ -79,20 +79,20 @@ fn hashed(bytes: &[u8]) -> u64 {
 
 /// The avatar of a checkpoint: the one that was kept, else one that is distilled now as `effigy
 /// import` does it unless told otherwise.
-pub fn avatar(checkpoint: &Path) -> anyhow::Result<Imported> {
+pub fn avatar(checkpoint: &Path) -> anyhow::Result<ForeignAvatar> {
     let job = Job {
         file: checkpoint,
         trained: &[],
         clips: &ClipOptions::default(),
         options: mmlphuman::Options::default(),
     };
-    let place = Place::of(checkpoint);
+    let place = KeptPlace::of(checkpoint);
     if let Some(place) = &place {
         // One that is cut or from a later version is distilled again.
         if let Ok(avatar) = Avatar::read(&place.avatar()) {
             tracing::info!("distilled before: {}", place.avatar().display());
             let taken = open::checkpoint(checkpoint, &job.options, |own| own.assumptions)?;
-            return Ok(Imported {
+            return Ok(ForeignAvatar {
                 avatar,
                 assumptions: taken,
             });
@@ -110,7 +110,7 @@ pub fn avatar(checkpoint: &Path) -> anyhow::Result<Imported> {
     {
         tracing::warn!("the avatar can't be kept for the next time: {error:#}");
     }
-    Ok(Imported {
+    Ok(ForeignAvatar {
         avatar: distilled.avatar,
         // What the file left open was said when it was fitted.
         assumptions: vec![],

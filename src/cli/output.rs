@@ -21,48 +21,48 @@ use std::{
 
 /// What a file may hold.
 #[derive(Debug)]
-pub struct Kind {
+pub struct FileKind {
     /// Lower case. What has no name, the standard output or a device, gets the first.
     endings: &'static [&'static str],
     /// Whether `-` is the standard output.
     streams: bool,
 }
 
-const fn kind(endings: &'static [&'static str], streams: bool) -> Kind {
-    Kind { endings, streams }
+const fn kind(endings: &'static [&'static str], streams: bool) -> FileKind {
+    FileKind { endings, streams }
 }
 
 /// An image.
-pub static IMAGE: Kind = kind(&["png", "jpg", "jpeg", "webp"], true);
+pub static IMAGE: FileKind = kind(&["png", "jpg", "jpeg", "webp"], true);
 /// An image, or several in one.
-pub static PNG: Kind = kind(&["png"], true);
+pub static PNG: FileKind = kind(&["png"], true);
 /// A report.
-pub static JSON: Kind = kind(&["json"], true);
+pub static JSON: FileKind = kind(&["json"], true);
 /// A trace.
-pub static TRACE: Kind = kind(&["json"], false);
+pub static TRACE: FileKind = kind(&["json"], false);
 /// A table.
-pub static CSV: Kind = kind(&["csv"], true);
+pub static CSV: FileKind = kind(&["csv"], true);
 /// A chart.
-pub static CHART: Kind = kind(&["svg", "png"], true);
+pub static CHART: FileKind = kind(&["svg", "png"], true);
 /// A page.
-pub static MARKDOWN: Kind = kind(&["md"], false);
+pub static MARKDOWN: FileKind = kind(&["md"], false);
 /// An avatar.
-pub static AVATAR: Kind = kind(&["avatar"], false);
+pub static AVATAR: FileKind = kind(&["avatar"], false);
 /// A clip.
-pub static MOTION: Kind = kind(&["motion"], false);
+pub static MOTION: FileKind = kind(&["motion"], false);
 /// An avatar or a clip.
-pub static IMPORTED: Kind = kind(&["avatar", "motion"], false);
+pub static IMPORTED: FileKind = kind(&["avatar", "motion"], false);
 /// Splats as 3DGS writes them.
-pub static PLY: Kind = kind(&["ply"], true);
+pub static PLY: FileKind = kind(&["ply"], true);
 /// Splats in the format of the ending.
-pub static SPLATS: Kind = kind(&effigy_formats::splats::WRITTEN, false);
+pub static SPLATS: FileKind = kind(&effigy_formats::splats::WRITTEN, false);
 /// The paper's model.
-pub static NPZ: Kind = kind(&["npz"], false);
+pub static NPZ: FileKind = kind(&["npz"], false);
 
 /// Endings of moving pictures, which none of the commands writes.
 const VIDEOS: [&str; 7] = ["gif", "mp4", "mov", "avi", "mkv", "webm", "apng"];
 
-impl Kind {
+impl FileKind {
     /// Reads the name of such a file.
     pub fn parser(&'static self) -> impl TypedValueParser<Value = Output> {
         OsStringValueParser::new().try_map(|name| self.read(name))
@@ -288,7 +288,7 @@ impl OutputFolder {
 
 /// What the command reads and writes.
 #[derive(Default)]
-struct Names {
+struct FileNames {
     /// Where the files are that it reads.
     inputs: Vec<PathBuf>,
     /// Where those are that it writes, in lower case: some systems don't tell them apart.
@@ -296,7 +296,7 @@ struct Names {
     may_overwrite: bool,
 }
 
-static NAMES: LazyLock<Mutex<Names>> = LazyLock::new(Mutex::default);
+static NAMES: LazyLock<Mutex<FileNames>> = LazyLock::new(Mutex::default);
 
 /// What was the standard output before all that is printed went to standard error.
 static PIPE: OnceLock<File> = OnceLock::new();
@@ -337,7 +337,7 @@ pub fn check_arguments(matches: &ArgMatches) -> anyhow::Result<()> {
     }
 }
 
-fn names() -> std::sync::MutexGuard<'static, Names> {
+fn names() -> std::sync::MutexGuard<'static, FileNames> {
     NAMES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -364,7 +364,7 @@ pub fn check_series<'a>(
     check(series)
 }
 
-impl Names {
+impl FileNames {
     fn add(&mut self, output: &Output) -> anyhow::Result<()> {
         let path = &output.path;
         let shown = path.display();
@@ -456,7 +456,7 @@ fn print_bytes(bytes: &[u8]) -> io::Result<()> {
 mod tests {
     use super::*;
 
-    fn read(kind: &Kind, name: &str) -> Result<Output, String> {
+    fn read(kind: &FileKind, name: &str) -> Result<Output, String> {
         kind.read(name.into())
     }
 

@@ -104,11 +104,11 @@ pub fn say(bar: &ProgressBar, text: Arguments) {
 #[derive(Debug)]
 struct Lines {
     begun: Instant,
-    drawn: Mutex<Drawn>,
+    drawn: Mutex<DrawnLine>,
 }
 
 #[derive(Debug)]
-struct Drawn {
+struct DrawnLine {
     text: String,
     /// From the begin to the next line.
     next: Duration,
@@ -118,7 +118,7 @@ impl Default for Lines {
     fn default() -> Self {
         Self {
             begun: Instant::now(),
-            drawn: Mutex::new(Drawn {
+            drawn: Mutex::new(DrawnLine {
                 text: String::new(),
                 next: FIRST,
             }),
@@ -126,7 +126,7 @@ impl Default for Lines {
     }
 }
 
-impl Drawn {
+impl DrawnLine {
     /// The line to write at a time since the begin, where one is due: rarer and rarer.
     fn take(&mut self, now: Duration) -> Option<String> {
         let text = std::mem::take(&mut self.text);
@@ -140,7 +140,7 @@ impl Drawn {
 }
 
 impl Lines {
-    fn drawn(&self) -> std::sync::MutexGuard<'_, Drawn> {
+    fn drawn(&self) -> std::sync::MutexGuard<'_, DrawnLine> {
         self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -206,7 +206,7 @@ mod tests {
 
     #[test]
     fn without_a_terminal_a_line_comes_now_and_then() {
-        let mut drawn = Drawn {
+        let mut drawn = DrawnLine {
             text: String::new(),
             next: FIRST,
         };

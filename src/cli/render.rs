@@ -3,7 +3,7 @@
 use crate::{
     backdrop::{self, Backdrop, BackdropArg},
     backend::BackendArg,
-    camera_path::{FrameRange, Place, followed, held},
+    camera_path::{CrowdPlacement, FrameRange, followed, held},
     files,
     options::{self, CameraArgs, QualityArgs},
     output::{self, IMAGE, Output},
@@ -217,12 +217,12 @@ impl Shoot<'_> {
     }
 
     /// Where they are at that time.
-    fn place(&self, seconds: f64) -> Place {
+    fn place(&self, seconds: f64) -> CrowdPlacement {
         place(self.avatar, &self.bounds, &self.row(seconds))
     }
 
     /// The camera of the arguments that looks at a box. `places`: where somebody stands in it.
-    fn camera(&self, bounds: [DVec3; 2], places: &[Place]) -> anyhow::Result<Camera> {
+    fn camera(&self, bounds: [DVec3; 2], places: &[CrowdPlacement]) -> anyhow::Result<Camera> {
         let size = self.args.size.unwrap_or(SIZE);
         let framing = framing(self.avatar, bounds);
         let mut arguments = self.args.camera.clone();
@@ -249,7 +249,8 @@ impl Shoot<'_> {
 
     /// A camera for each of these times, `rate` a second: one that holds all of them, or follows.
     fn cameras(&self, times: &[f64], rate: f64) -> anyhow::Result<Vec<Camera>> {
-        let places: Vec<Place> = times.iter().map(|&seconds| self.place(seconds)).collect();
+        let places: Vec<CrowdPlacement> =
+            times.iter().map(|&seconds| self.place(seconds)).collect();
         if self.args.follow {
             let boxes = followed(&places, rate);
             return boxes
@@ -376,7 +377,7 @@ fn framing(avatar: &Avatar, bounds: [DVec3; 2]) -> Framing {
 }
 
 /// Where avatars are.
-fn place(avatar: &Avatar, bounds: &AvatarBounds, poses: &[Posed]) -> Place {
+fn place(avatar: &Avatar, bounds: &AvatarBounds, poses: &[Posed]) -> CrowdPlacement {
     // A scene is where it shows, not where its furthest splats are.
     let around = |posed: &Posed| {
         if avatar.is_static() {
@@ -385,13 +386,13 @@ fn place(avatar: &Avatar, bounds: &AvatarBounds, poses: &[Posed]) -> Place {
             bounds.bounds(&posed.joints)
         }
     };
-    let places = poses.iter().map(|posed| Place {
+    let places = poses.iter().map(|posed| CrowdPlacement {
         bounds: around(posed),
         ground: posed.ground(avatar),
     });
-    let places: Vec<Place> = places.collect();
+    let places: Vec<CrowdPlacement> = places.collect();
     let ground: DVec3 = places.iter().map(|place| place.ground).sum();
-    Place {
+    CrowdPlacement {
         bounds: held(&places),
         ground: ground / places.len() as f64,
     }
@@ -435,7 +436,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
         Posed::new(&avatar, &player.pose(seconds))
     };
     let places = (0..IMAGES).map(|number| place(&avatar, &bounds, &[posed(number)]));
-    let places: Vec<Place> = places.collect();
+    let places: Vec<CrowdPlacement> = places.collect();
     let framing = framing(&avatar, held(&places));
     let distance = if avatar.is_static() {
         Camera::framing_distance(framing.bounds, FOV, size)

@@ -299,7 +299,7 @@ mod tests {
     }
 
     #[derive(clap::Parser)]
-    struct Command {
+    struct SoakCommand {
         #[command(flatten)]
         args: Args,
     }
@@ -308,7 +308,7 @@ mod tests {
     fn the_governor_is_on_unless_either_spelling_turns_it_off() {
         let is_governed = |arguments: &[&str]| {
             let words = ["soak"].iter().chain(arguments);
-            Command::parse_from(words).args.is_governed()
+            SoakCommand::parse_from(words).args.is_governed()
         };
         assert!(is_governed(&[]) && is_governed(&["--governor", "on"]));
         assert!(!is_governed(&["--no-governor"]) && !is_governed(&["--governor", "off"]));

@@ -12,7 +12,7 @@ use effigy_formats::{
     cameras,
     open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
     retarget::{Correction, Report, RetargetOptions},
-    webavatar::Imported,
+    webavatar::ForeignAvatar,
 };
 use std::{
     collections::BTreeMap,
@@ -174,7 +174,7 @@ impl Source {
     }
 
     /// Reads an avatar.
-    pub fn read(&self, path: &Path) -> anyhow::Result<Imported> {
+    pub fn read(&self, path: &Path) -> anyhow::Result<ForeignAvatar> {
         let options = OpenOptions {
             up: self.up,
             ..OpenOptions::default()
@@ -183,7 +183,7 @@ impl Source {
         let imported = opened(path, &options)?;
         let took = began.elapsed().as_secs_f64() * 1e3;
         tracing::info!("read {} in {took:.1} ms", path.display());
-        Ok(Imported {
+        Ok(ForeignAvatar {
             avatar: self.project.apply(imported.avatar),
             ..imported
         })
@@ -250,7 +250,7 @@ pub fn avatar_to_move(path: Option<&Path>) -> anyhow::Result<Avatar> {
 }
 
 /// Reads an avatar of any kind.
-fn opened(path: &Path, options: &OpenOptions) -> anyhow::Result<Imported> {
+fn opened(path: &Path, options: &OpenOptions) -> anyhow::Result<ForeignAvatar> {
     if open::is_checkpoint(path) {
         return kept::avatar(path);
     }

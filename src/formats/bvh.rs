@@ -29,7 +29,7 @@ const FRAME_TIMES: RangeInclusive<f64> = 1e-6..=1e3;
 
 /// The meaning of one number of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Channel {
+enum BvhChannel {
     /// Moves along axis 0, 1 or 2.
     Position(usize),
     /// Turns about axis 0, 1 or 2, degrees; a joint's rotations apply in the file's order, the last
@@ -39,14 +39,14 @@ enum Channel {
 
 /// A line of the file.
 #[derive(Clone, Copy)]
-struct Line<'a> {
+struct BvhLine<'a> {
     /// Counted from 1.
     number: usize,
     /// Without spaces at its ends.
     text: &'a str,
 }
 
-impl Line<'_> {
+impl BvhLine<'_> {
     fn error(self, found: impl std::fmt::Display, expected: &str) -> FormatError {
         FormatError::container(format!("{found} in line {}", self.number), expected)
     }
@@ -98,7 +98,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     // Old programs end lines by a carriage return alone.
     let end = if text.contains('\n') { '\n' } else { '\r' };
-    let mut lines = text.split(end).enumerate().map(|(at, text)| Line {
+    let mut lines = text.split(end).enumerate().map(|(at, text)| BvhLine {
         number: at + 1,
         text: text.trim(),
     });
@@ -116,7 +116,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
             let brace = piece.len() - piece.trim_end_matches(['{', '}']).len();
             let (words, brace) = piece.split_at(piece.len() - brace);
             for text in [words.trim(), brace] {
-                hierarchy.read_line(Line { text, ..line })?;
+                hierarchy.read_line(BvhLine { text, ..line })?;
             }
         }
     }
@@ -128,7 +128,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
         let found = format!("a frame time of {frame_time} s");
         return Err(FormatError::container(found, "a millionth to a thousand"));
     }
-    let mut frames = Frames::new(&hierarchy, most_poses(bytes.len()));
+    let mut frames = FrameReader::new(&hierarchy, most_poses(bytes.len()));
     for line in lines {
         if frames.local.len() == hierarchy.joints.len() {
             frames.reserve(bytes.len() / line.text.len().max(1));
@@ -158,7 +158,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
 }
 
 /// The number after a word.
-fn header(line: Option<Line>, word: &str) -> Result<f64, FormatError> {
+fn header(line: Option<BvhLine>, word: &str) -> Result<f64, FormatError> {
     let expected = format!("`{word}` and a number");
     let Some(line) = line else {
         return Err(FormatError::container("the end of the file", expected));
@@ -176,7 +176,7 @@ fn keep_offsets(hierarchy: &Hierarchy, local: &mut [LocalPose], assumptions: &mu
     let count = hierarchy.joints.len();
     let mut kept = 0;
     for (at, joint) in hierarchy.joints.iter().enumerate() {
-        let moves = |channel: &Channel| matches!(channel, Channel::Position(_));
+        let moves = |channel: &BvhChannel| matches!(channel, BvhChannel::Position(_));
         let own = || local.iter().skip(at).step_by(count);
         if joint.parent.is_some()
             && joint.offset != DVec3::ZERO
@@ -219,7 +219,7 @@ fn leave_out_rest(joints: usize, local: &mut [LocalPose], assumptions: &mut Vec<
 }
 
 /// The frames that were read so far.
-struct Frames<'a> {
+struct FrameReader<'a> {
     hierarchy: &'a Hierarchy,
     local: Vec<LocalPose>,
     /// Numbers of the frame that is being read.
@@ -229,7 +229,7 @@ struct Frames<'a> {
     limit: usize,
 }
 
-impl<'a> Frames<'a> {
+impl<'a> FrameReader<'a> {
     /// `poses`: of single joints, at most.
     fn new(hierarchy: &'a Hierarchy, poses: usize) -> Self {
         Self {
@@ -268,8 +268,8 @@ impl<'a> Frames<'a> {
             let mut offset = joint.offset;
             for (channel, value) in channels.iter().zip(&mut values) {
                 match *channel {
-                    Channel::Position(axis) => offset[axis] = value,
-                    Channel::Rotation(axis) => {
+                    BvhChannel::Position(axis) => offset[axis] = value,
+                    BvhChannel::Rotation(axis) => {
                         rotation *= DQuat::from_axis_angle(DVec3::AXES[axis], value.to_radians());
                     }
                 }
@@ -319,7 +319,7 @@ struct Hierarchy {
     /// Ends of chains are joints too, since they say where a bone points.
     joints: Vec<CaptureJoint>,
     /// One list a joint.
-    channels: Vec<Vec<Channel>>,
+    channels: Vec<Vec<BvhChannel>>,
     /// Blocks whose braces are open, the innermost last.
     open: Vec<Block>,
     /// A block that was named and whose brace is to follow.
@@ -327,7 +327,7 @@ struct Hierarchy {
 }
 
 impl Hierarchy {
-    fn read_line(&mut self, line: Line) -> Result<(), FormatError> {
+    fn read_line(&mut self, line: BvhLine) -> Result<(), FormatError> {
         let text = line.text;
         let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
         match word.to_ascii_uppercase().as_str() {
@@ -365,7 +365,7 @@ impl Hierarchy {
     }
 
     /// A joint or the end of a chain, in the joint whose brace is open.
-    fn begin(&mut self, line: Line, name: &str, is_end: bool) -> Result<(), FormatError> {
+    fn begin(&mut self, line: BvhLine, name: &str, is_end: bool) -> Result<(), FormatError> {
         let parent = self.open.last();
         if parent.is_some_and(|parent| parent.is_end) || (is_end && parent.is_none()) {
             let found = format!("`{}`", excerpt(line.text));
@@ -397,7 +397,7 @@ impl Hierarchy {
         Ok(())
     }
 
-    fn read_channels(&mut self, line: Line, rest: &str) -> Result<(), FormatError> {
+    fn read_channels(&mut self, line: BvhLine, rest: &str) -> Result<(), FormatError> {
         let Some(&Block {
             joint,
             is_end: false,
@@ -407,7 +407,7 @@ impl Hierarchy {
         };
         let mut words = rest.split_ascii_whitespace();
         let count = line.number(words.next())?;
-        let channels: Vec<Channel> = words
+        let channels: Vec<BvhChannel> = words
             .map(|word| channel(line, word))
             .collect::<Result<_, _>>()?;
         if channels.len() as f64 != count || !self.channels[joint].is_empty() {
@@ -434,12 +434,12 @@ impl Hierarchy {
     }
 }
 
-fn channel(line: Line, word: &str) -> Result<Channel, FormatError> {
+fn channel(line: BvhLine, word: &str) -> Result<BvhChannel, FormatError> {
     let lower = word.to_ascii_lowercase();
     let axis = lower.bytes().next().unwrap_or_default().wrapping_sub(b'x');
     match (usize::from(axis), lower.get(1..)) {
-        (axis @ 0..3, Some("position")) => Ok(Channel::Position(axis)),
-        (axis @ 0..3, Some("rotation")) => Ok(Channel::Rotation(axis)),
+        (axis @ 0..3, Some("position")) => Ok(BvhChannel::Position(axis)),
+        (axis @ 0..3, Some("rotation")) => Ok(BvhChannel::Rotation(axis)),
         _ => Err(line.error(
             format!("`{}`", excerpt(word)),
             "Xposition to Zposition or Xrotation to Zrotation",

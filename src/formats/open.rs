@@ -10,7 +10,7 @@ use crate::{
     read::{self, Source},
     retarget::Girth,
     splats::{Folder, Found},
-    webavatar::Imported,
+    webavatar::ForeignAvatar,
 };
 use effigy_core::{
     avatar::{Avatar, Clip, Skeleton},
@@ -109,7 +109,7 @@ pub fn splats(path: &Path, up: Option<Up>) -> Result<Found, FileError> {
 ///
 /// # Errors
 /// When the file cannot be opened, is none of them, or breaks a rule.
-pub fn avatar(path: &Path, options: &OpenOptions) -> Result<Imported, FileError> {
+pub fn avatar(path: &Path, options: &OpenOptions) -> Result<ForeignAvatar, FileError> {
     read_file(path, |source| read::avatar(source, options))
 }
 

@@ -14,7 +14,7 @@ use crate::{
     retarget::{self, Girth, Report, RetargetOptions},
     smpl,
     splats::{self, Found, Nothing, SplatFormat},
-    webavatar::{self, Imported},
+    webavatar::{self, ForeignAvatar},
 };
 use effigy_core::{
     avatar::{Avatar, Clip, Skeleton},
@@ -68,11 +68,11 @@ pub fn splats(source: Source, up: Option<Up>) -> Result<Found, FormatError> {
 ///
 /// # Errors
 /// When the file is none of them, or breaks a rule.
-pub fn avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatError> {
+pub fn avatar(source: Source, options: &OpenOptions) -> Result<ForeignAvatar, FormatError> {
     source.inside(|source| unpacked_avatar(source, options))
 }
 
-fn unpacked_avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatError> {
+fn unpacked_avatar(source: Source, options: &OpenOptions) -> Result<ForeignAvatar, FormatError> {
     let name = source.stem();
     match Content::of_unpacked(source.bytes, source.name) {
         Content::Splats(_) => {
@@ -80,7 +80,7 @@ fn unpacked_avatar(source: Source, options: &OpenOptions) -> Result<Imported, Fo
                 splats,
                 assumptions,
             } = splats(source, options.up)?;
-            Ok(Imported {
+            Ok(ForeignAvatar {
                 avatar: splats.to_avatar(&name)?,
                 assumptions,
             })
@@ -91,7 +91,7 @@ fn unpacked_avatar(source: Source, options: &OpenOptions) -> Result<Imported, Fo
             let expected = "an avatar or splats; motion goes with --motion";
             Err(FormatError::container("motion", expected))
         }
-        Content::Other => Ok(Imported {
+        Content::Other => Ok(ForeignAvatar {
             avatar: Avatar::from_bytes(source.bytes).map_err(|own| unknown(source.bytes, own))?,
             assumptions: vec![],
         }),

@@ -4,22 +4,22 @@
 pub const BODY: usize = 22;
 
 /// A joint of SMPL-X.
-pub struct Joint {
+pub struct SmplJoint {
     /// The name that Effigy's own avatars and clips have for it.
     pub name: &'static str,
     pub parent: Option<u8>,
 }
 
-const fn joint(name: &'static str, parent: u8) -> Joint {
-    Joint {
+const fn joint(name: &'static str, parent: u8) -> SmplJoint {
+    SmplJoint {
         name,
         parent: Some(parent),
     }
 }
 
 /// The tree of SMPL-X, in its order. SMPL-H has the same without 22 to 24.
-pub const SMPL_X: [Joint; 55] = [
-    Joint {
+pub const SMPL_X: [SmplJoint; 55] = [
+    SmplJoint {
         name: "Hips",
         parent: None,
     },

@@ -156,7 +156,7 @@ pub struct Line {
     /// Its colour.
     pub color: Rgb,
     /// How it is drawn.
-    pub style: Style,
+    pub style: LineStyle,
     /// x and y of each point, by rising x.
     pub points: Vec<(f64, f64)>,
     /// Whether y is along the axis on the right.
@@ -165,7 +165,12 @@ pub struct Line {
 
 impl Line {
     /// A line along the axis on the left.
-    pub fn new(name: impl Into<String>, color: Rgb, style: Style, points: Vec<(f64, f64)>) -> Self {
+    pub fn new(
+        name: impl Into<String>,
+        color: Rgb,
+        style: LineStyle,
+        points: Vec<(f64, f64)>,
+    ) -> Self {
         Self {
             name: name.into(),
             color,
@@ -178,7 +183,7 @@ impl Line {
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Style {
+pub enum LineStyle {
     /// A line.
     Solid,
     /// A thin line.
@@ -326,12 +331,12 @@ impl Panel {
     ) -> Result<(), ChartError> {
         for line in &self.lines {
             let color = line.color;
-            let stroke = color.stroke_width(if line.style == Style::Thin { 1 } else { 2 });
+            let stroke = color.stroke_width(if line.style == LineStyle::Thin { 1 } else { 2 });
             // Piece by piece: the mitre of one line's sharp corner would stick out far beyond it.
             let paths = match line.style {
-                Style::Dots => Vec::new(),
-                Style::Steps => vec![PathElement::new(staircase(&line.points), stroke)],
-                Style::Solid | Style::Thin | Style::Dotted => {
+                LineStyle::Dots => Vec::new(),
+                LineStyle::Steps => vec![PathElement::new(staircase(&line.points), stroke)],
+                LineStyle::Solid | LineStyle::Thin | LineStyle::Dotted => {
                     let pieces = line.points.windows(2);
                     pieces.map(|p| PathElement::new(p, stroke)).collect()
                 }
@@ -344,13 +349,13 @@ impl Panel {
             let series = drawn.map_err(drawing_error)?;
             if !line.name.is_empty() {
                 series.label(&line.name);
-                if line.style == Style::Dots {
+                if line.style == LineStyle::Dots {
                     series.legend(move |(x, y)| Circle::new((x + 9, y), 3, color.filled()));
                 } else {
                     series.legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], stroke));
                 }
             }
-            if matches!(line.style, Style::Dotted | Style::Dots) {
+            if matches!(line.style, LineStyle::Dotted | LineStyle::Dots) {
                 let dot = |&at| Circle::new(at, 3, color.filled());
                 let dots = line.points.iter().map(dot);
                 chart.draw_series(dots).map_err(drawing_error)?;
@@ -434,7 +439,7 @@ impl NamedPoint {
     }
 }
 
-/// Points as [`Style::Steps`] draws them.
+/// Points as [`LineStyle::Steps`] draws them.
 fn staircase(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut line: Vec<(f64, f64)> = Vec::new();
     for &point in points {
@@ -546,7 +551,7 @@ pub(crate) mod tests {
     #[test]
     fn charts_name_and_draw_their_lines() -> Result<(), ChartError> {
         let line = |name: &str, color, style, by: f64| Line {
-            on_right: style == Style::Steps,
+            on_right: style == LineStyle::Steps,
             ..Line::new(
                 name,
                 color,
@@ -558,9 +563,9 @@ pub(crate) mod tests {
         let mut panel = Panel::new(x, Axis::new("up", [0.0, 30.0]));
         panel.right = Some(Axis::new("beside", [0.0, 9.0]));
         panel.lines = vec![
-            line("first", BLUE, Style::Dotted, 3.0),
-            line("second", GREEN, Style::Steps, 8.0),
-            line("third", ORANGE, Style::Dots, 20.0),
+            line("first", BLUE, LineStyle::Dotted, 3.0),
+            line("second", GREEN, LineStyle::Steps, 8.0),
+            line("third", ORANGE, LineStyle::Dots, 20.0),
         ];
         panel.legend = Some(Corner::UpperRight);
         let chart = |panels| Chart {

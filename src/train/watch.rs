@@ -5,7 +5,9 @@ use crate::data::{ShotIndex, TrainingViews, shots, training_shots};
 use crate::view::{Shows, TrainingView};
 use effigy_capture::Capture;
 use effigy_core::io::file::{FileError, replace};
-use effigy_measure::chart::{Axis, BLUE, Chart, ChartError, Corner, Line, ORANGE, Panel, Style};
+use effigy_measure::chart::{
+    Axis, BLUE, Chart, ChartError, Corner, Line, LineStyle, ORANGE, Panel,
+};
 use image::{ImageFormat, RgbImage};
 use std::fs;
 use std::io::{self, Cursor};
@@ -170,8 +172,8 @@ fn drawn(learned: Vec<(f64, f64)>, watched: Vec<(f64, f64)>) -> Result<Vec<u8>, 
     let whole = "pictures it learns from, whole views";
     let person = "watched pictures, the person alone";
     panel.lines = vec![
-        Line::new(whole, BLUE, Style::Dotted, learned),
-        Line::new(person, ORANGE, Style::Dotted, watched),
+        Line::new(whole, BLUE, LineStyle::Dotted, learned),
+        Line::new(person, ORANGE, LineStyle::Dotted, watched),
     ];
     panel.legend = Some(Corner::UpperRight);
     let chart = Chart {

@@ -2,7 +2,7 @@
 
 use crate::{
     motion::InvalidPose,
-    surface::{CanvasSurface, DrawableAvatar, PreparedAvatar, js_error, js_range_error},
+    surface::{CanvasSurface, DrawableAvatar, UploadedAvatar, js_error, js_range_error},
 };
 use effigy_core::{
     avatar::{Avatar, Clip},
@@ -132,21 +132,21 @@ impl AvatarCanvas {
     }
 
     /// Prepares the avatar of a file, given all its bytes. The one that is shown stays.
-    pub fn prepare(&self, bytes: &[u8]) -> Result<PreparedAvatar, JsValue> {
+    pub fn prepare(&self, bytes: &[u8]) -> Result<UploadedAvatar, JsValue> {
         let avatar = Avatar::from_bytes(bytes).map_err(js_error)?;
         self.candidate(avatar)
     }
 
     /// Prepares splats, given what the library that reads them hands over. The avatar that is shown
     /// stays.
-    pub fn prepare_splats(&self, columns: &[u8]) -> Result<PreparedAvatar, JsValue> {
+    pub fn prepare_splats(&self, columns: &[u8]) -> Result<UploadedAvatar, JsValue> {
         let avatar = splats::from_columns(columns).map_err(js_error)?;
         self.candidate(avatar)
     }
 
     /// Prepares the avatar of a file of `length` bytes without its correctives, given the beginning
     /// of the file. The one that is shown stays.
-    pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<PreparedAvatar, JsValue> {
+    pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<UploadedAvatar, JsValue> {
         match Avatar::neutral(bytes, length).map_err(js_error)? {
             Neutral::Avatar(avatar) => self.candidate(*avatar),
             Neutral::Needs(needs) => Err(js_error(format!("{needs} bytes are needed"))),
@@ -156,7 +156,7 @@ impl AvatarCanvas {
     /// Shows a candidate in place of the current avatar. Returns false if the device was replaced
     /// since the candidate was prepared. `keep`: [`Self::revert`] brings the current avatar back,
     /// until [`Self::complete`].
-    pub fn show(&mut self, candidate: PreparedAvatar, keep: bool) -> Result<bool, JsValue> {
+    pub fn show(&mut self, candidate: UploadedAvatar, keep: bool) -> Result<bool, JsValue> {
         if !Arc::ptr_eq(&candidate.gpu, &self.surface.gpu) {
             return Ok(false);
         }
@@ -436,7 +436,7 @@ impl AvatarCanvas {
     }
 
     /// Prepares an avatar. The one that is shown stays.
-    fn candidate(&self, avatar: Avatar) -> Result<PreparedAvatar, JsValue> {
+    fn candidate(&self, avatar: Avatar) -> Result<UploadedAvatar, JsValue> {
         let candidate = self.surface.candidate(avatar, self.options());
         candidate.map_err(js_error)
     }

@@ -154,7 +154,7 @@ impl CanvasSurface {
         &self,
         mut avatar: Avatar,
         options: RendererOptions,
-    ) -> Result<PreparedAvatar, Error> {
+    ) -> Result<UploadedAvatar, Error> {
         let levels = std::mem::take(&mut avatar.levels);
         let errors = self.gpu.watch();
         let allocated = self.allocate(&avatar, options);
@@ -162,7 +162,7 @@ impl CanvasSurface {
         let errors = Box::pin(errors.end());
         let (renderer, present) = allocated?;
         let motion = AvatarMotion::new(&avatar);
-        Ok(PreparedAvatar {
+        Ok(UploadedAvatar {
             gpu: self.gpu.clone(),
             drawable: DrawableAvatar {
                 avatar,
@@ -188,7 +188,7 @@ impl CanvasSurface {
 
 /// An avatar that can replace the one that is shown, once it is uploaded.
 #[wasm_bindgen]
-pub struct PreparedAvatar {
+pub struct UploadedAvatar {
     pub(super) gpu: Arc<Gpu>,
     pub(super) drawable: DrawableAvatar,
     /// Resolves once the device has reported whether it could allocate the buffers.
@@ -196,7 +196,7 @@ pub struct PreparedAvatar {
 }
 
 #[wasm_bindgen]
-impl PreparedAvatar {
+impl UploadedAvatar {
     /// Uploads the avatar. The promise resolves when all of it is on the device, and rejects if the
     /// device can't take it.
     pub fn upload(&mut self) -> Result<js_sys::Promise, JsValue> {

@@ -6,7 +6,7 @@ use effigy_core::{
     avatar::{Bounds, Skeleton},
     io::file::FormatError,
 };
-use effigy_formats::retarget::{Girth, Skin};
+use effigy_formats::retarget::{Girth, TrunkSkin};
 use serde::Deserialize;
 
 /// A skeleton, and where its Gaussians are.
@@ -97,7 +97,7 @@ impl SkinnedBody {
 
     /// How thick the avatar is; None: it has no body.
     pub fn girth(&self) -> Option<Girth> {
-        Girth::of_skin(Skin {
+        Girth::of_skin(TrunkSkin {
             skeleton: &self.skeleton,
             bounds: self.bounds,
             position: &self.position,

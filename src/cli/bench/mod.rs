@@ -37,12 +37,12 @@ pub struct Args {
     /// far, far120, far240, far480, four, crowd, flicker and zoom, separated by commas
     /// [default: full]
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
-    case: Vec<Names<BenchCase>>,
+    case: Vec<NamedList<BenchCase>>,
     /// Vary one parameter at a time, and measure the time and error of each value: all, or names
     /// out of exact, raster, cutoff, rows, detail, supersample, pose-rate, skip and skip-but,
     /// separated by commas
     #[arg(long, value_name = "NAME,NAME", value_parser = parameters)]
-    sweep: Option<Names<Parameter>>,
+    sweep: Option<NamedList<Parameter>>,
     /// Times that each value of a sweep is measured, in turn with the others, 1 or more
     #[arg(long, value_name = "N", default_value_t = 3)]
     rounds: usize,
@@ -91,23 +91,23 @@ pub struct Args {
 
 /// What one `--case` or `--sweep` names.
 #[derive(Clone, Debug)]
-struct Names<T>(Vec<T>);
+struct NamedList<T>(Vec<T>);
 
-fn cases(text: &str) -> Result<Names<BenchCase>, String> {
+fn cases(text: &str) -> Result<NamedList<BenchCase>, String> {
     names(text, BenchCase::ALL.to_vec())
 }
 
-fn parameters(text: &str) -> Result<Names<Parameter>, String> {
+fn parameters(text: &str) -> Result<NamedList<Parameter>, String> {
     names(text, Parameter::all())
 }
 
 /// Reads names separated by commas, or `all`.
-fn names<T: FromStr>(text: &str, all: Vec<T>) -> Result<Names<T>, T::Err> {
+fn names<T: FromStr>(text: &str, all: Vec<T>) -> Result<NamedList<T>, T::Err> {
     if text == "all" {
-        return Ok(Names(all));
+        return Ok(NamedList(all));
     }
     let names = text.split(',').map(|name| name.trim().parse());
-    names.collect::<Result<_, _>>().map(Names)
+    names.collect::<Result<_, _>>().map(NamedList)
 }
 
 impl Args {

@@ -184,13 +184,13 @@ impl AvatarSummary {
 }
 
 /// What lengths are told in, so that a few digits say something of a scene of any size.
-struct Unit {
+struct LengthUnit {
     name: &'static str,
     thousandth: &'static str,
     in_a_metre: f64,
 }
 
-impl Unit {
+impl LengthUnit {
     /// For numbers as large as a length, metres.
     fn of(length: f64) -> Self {
         if length == 0.0 || length >= 0.1 {
@@ -216,7 +216,7 @@ impl Unit {
 }
 
 /// Joints in a row, without a branch between them.
-struct Chain {
+struct JointChain {
     /// Branches between the root and the chain.
     depth: usize,
     /// Names, separated by spaces.
@@ -225,7 +225,7 @@ struct Chain {
 
 /// The chain of joints from `start` to where the skeleton branches or ends, then those that begin
 /// there.
-fn chains(joints: &[NamedJoint], start: usize, depth: usize) -> Vec<Chain> {
+fn chains(joints: &[NamedJoint], start: usize, depth: usize) -> Vec<JointChain> {
     let children = |parent: usize| -> Vec<usize> {
         (0..joints.len())
             .filter(|&child| joints[child].parent.map(usize::from) == Some(parent))
@@ -237,7 +237,7 @@ fn chains(joints: &[NamedJoint], start: usize, depth: usize) -> Vec<Chain> {
         names += &format!(" {}", joints[only].name);
         next = children(only);
     }
-    let mut found = vec![Chain {
+    let mut found = vec![JointChain {
         depth,
         joints: names,
     }];
@@ -247,28 +247,12 @@ fn chains(joints: &[NamedJoint], start: usize, depth: usize) -> Vec<Chain> {
     found
 }
 
-impl fmt::Display for AvatarSummary {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        line(f, "avatar", &self.name)?;
-        line(f, "credit", stated(&self.credit))?;
-        line(f, "Gaussians", thousands(self.gaussians))?;
-        line(f, "parts", self.part_sizes())?;
-        line(f, "nodes", thousands(self.nodes))?;
-        line(f, "networks", self.networks())?;
-        line(f, "inputs", self.inputs())?;
-        line(
-            f,
-            "basis rows",
-            format_args!(
-                "rotation {}, scale {}, colour {}",
-                thousands(self.rotation_rows),
-                thousands(self.scale_rows),
-                thousands(self.color_rows)
-            ),
-        )?;
+impl AvatarSummary {
+    /// Where positions, sizes, opacities and colours lie.
+    fn fmt_distributions(&self, f: &mut fmt::Formatter) -> fmt::Result {
         for (name, axis) in ["x", "y", "z"].iter().zip(&self.position) {
             let Distribution { min, median, max } = axis;
-            let unit = Unit::of(max - min);
+            let unit = LengthUnit::of(max - min);
             let [min, median, max] = [min, median, max].map(|metres| metres * unit.in_a_metre);
             line(
                 f,
@@ -277,7 +261,7 @@ impl fmt::Display for AvatarSummary {
             )?;
         }
         let coarsest = self.position_step.into_iter().fold(0.0, f64::max);
-        let unit = Unit::of(1e5 * coarsest);
+        let unit = LengthUnit::of(1e5 * coarsest);
         let [x, y, z] = self.position_step.map(|step| 1e3 * step * unit.in_a_metre);
         line(
             f,
@@ -288,7 +272,7 @@ impl fmt::Display for AvatarSummary {
             ),
         )?;
         let Distribution { min, median, max } = &self.scale;
-        let unit = Unit::of(1e3 * median);
+        let unit = LengthUnit::of(1e3 * median);
         let [min, median, max] = [min, median, max].map(|metres| 1e3 * metres * unit.in_a_metre);
         line(
             f,
@@ -312,6 +296,30 @@ impl fmt::Display for AvatarSummary {
                 format_args!("{min:.3} to {max:.3}, median {median:.3}"),
             )?;
         }
+        Ok(())
+    }
+}
+
+impl fmt::Display for AvatarSummary {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        line(f, "avatar", &self.name)?;
+        line(f, "credit", stated(&self.credit))?;
+        line(f, "Gaussians", thousands(self.gaussians))?;
+        line(f, "parts", self.part_sizes())?;
+        line(f, "nodes", thousands(self.nodes))?;
+        line(f, "networks", self.networks())?;
+        line(f, "inputs", self.inputs())?;
+        line(
+            f,
+            "basis rows",
+            format_args!(
+                "rotation {}, scale {}, colour {}",
+                thousands(self.rotation_rows),
+                thousands(self.scale_rows),
+                thousands(self.color_rows)
+            ),
+        )?;
+        self.fmt_distributions(f)?;
         match self.harmonics {
             0 => line(f, "harmonics", "none: colours do not depend on the view")?,
             degree => line(f, "harmonics", format_args!("degree {degree}"))?,
@@ -330,7 +338,7 @@ impl fmt::Display for AvatarSummary {
             level.fmt(f)?;
         }
         line(f, "skeleton", format_args!("{} joints", self.joints.len()))?;
-        for Chain { depth, joints } in chains(&self.joints, 0, 0) {
+        for JointChain { depth, joints } in chains(&self.joints, 0, 0) {
             writeln!(f, "{:12}{:indent$}{joints}", "", "", indent = 2 * depth)?;
         }
         table(f, &self.tensors)

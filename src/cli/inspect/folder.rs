@@ -26,14 +26,14 @@ const DEPTH: usize = 3;
 #[derive(Serialize)]
 pub struct FolderSummary {
     kind: &'static str,
-    files: Vec<Entry>,
+    files: Vec<ListedFile>,
     /// Files that are something else, or that were not looked at.
     others: usize,
 }
 
 /// A file.
 #[derive(Serialize)]
-struct Entry {
+struct ListedFile {
     #[serde(skip)]
     path: PathBuf,
     name: String,
@@ -52,9 +52,9 @@ impl FolderSummary {
             .with_context(|| format!("cannot read {}", folder.display()))?;
         paths.sort();
         let looked_at = &paths[..paths.len().min(LISTED)];
-        let files: Vec<Entry> = looked_at
+        let files: Vec<ListedFile> = looked_at
             .iter()
-            .filter_map(|path| Entry::new(path, folder))
+            .filter_map(|path| ListedFile::new(path, folder))
             .collect();
         Ok(Self {
             kind: "folder",
@@ -84,7 +84,7 @@ fn list(folder: &Path, depth: usize, paths: &mut Vec<PathBuf>) -> std::io::Resul
     Ok(())
 }
 
-impl Entry {
+impl ListedFile {
     /// None: it is nothing that Effigy reads.
     fn new(path: &Path, folder: &Path) -> Option<Self> {
         let content = open::content(path);
@@ -191,7 +191,7 @@ impl fmt::Display for FolderSummary {
         line(f, "files", found)?;
         let width = self.files.iter().map(|file| file.name.chars().count());
         let width = width.max().unwrap_or(0).min(48);
-        for Entry {
+        for ListedFile {
             name,
             kind,
             content,

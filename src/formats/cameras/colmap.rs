@@ -17,7 +17,7 @@ use std::{
 const FOLDERS: [&str; 3] = ["", "sparse/0", "sparse"];
 
 /// A model of COLMAP that is a pinhole, with or without distortion.
-struct Model {
+struct ColmapModel {
     name: &'static str,
     /// It has a focal length for each axis.
     two_focals: bool,
@@ -25,33 +25,33 @@ struct Model {
     distortion: usize,
 }
 
-const MODELS: [Model; 6] = [
-    Model {
+const MODELS: [ColmapModel; 6] = [
+    ColmapModel {
         name: "SIMPLE_PINHOLE",
         two_focals: false,
         distortion: 0,
     },
-    Model {
+    ColmapModel {
         name: "PINHOLE",
         two_focals: true,
         distortion: 0,
     },
-    Model {
+    ColmapModel {
         name: "SIMPLE_RADIAL",
         two_focals: false,
         distortion: 1,
     },
-    Model {
+    ColmapModel {
         name: "RADIAL",
         two_focals: false,
         distortion: 2,
     },
-    Model {
+    ColmapModel {
         name: "OPENCV",
         two_focals: true,
         distortion: 4,
     },
-    Model {
+    ColmapModel {
         name: "FULL_OPENCV",
         two_focals: true,
         distortion: 8,
@@ -76,7 +76,7 @@ struct Lens {
 }
 
 /// Where an image was taken.
-struct Shot<'a> {
+struct ImagePose<'a> {
     /// World to camera.
     rotation: DQuat,
     translation: DVec3,
@@ -212,7 +212,7 @@ fn lenses(text: &str) -> Result<BTreeMap<&str, Lens>, FormatError> {
 
 /// Reads `images.txt`: `ID QW QX QY QZ TX TY TZ CAMERA_ID NAME`, and below each a line of points,
 /// which is empty where there are none; some programs leave empty lines out.
-fn shots(text: &str) -> Result<Vec<Shot<'_>>, FormatError> {
+fn shots(text: &str) -> Result<Vec<ImagePose<'_>>, FormatError> {
     let mut shots = vec![];
     let mut lines = text.lines().peekable();
     while let Some(line) = lines.next() {
@@ -236,7 +236,7 @@ fn is_points(line: &str) -> bool {
     words.clone().count().is_multiple_of(3) && words.clone().all(|word| word.parse::<f64>().is_ok())
 }
 
-fn shot(line: &str) -> Option<Shot<'_>> {
+fn shot(line: &str) -> Option<ImagePose<'_>> {
     let words: Vec<&str> = line.split_whitespace().collect();
     let [_, placed @ .., _, _] = words.get(..10)? else {
         return None;
@@ -248,7 +248,7 @@ fn shot(line: &str) -> Option<Shot<'_>> {
     let [w, x, y, z, tx, ty, tz] = numbers.try_into().ok()?;
     let rotation = DQuat::from_xyzw(x, y, z, w);
     let length = rotation.length();
-    (length.is_finite() && length > 1e-6).then(|| Shot {
+    (length.is_finite() && length > 1e-6).then(|| ImagePose {
         rotation: rotation.normalize(),
         translation: DVec3::new(tx, ty, tz),
         camera: words[8],
@@ -258,7 +258,7 @@ fn shot(line: &str) -> Option<Shot<'_>> {
 
 fn opened(
     lenses: &BTreeMap<&str, Lens>,
-    shots: &[Shot],
+    shots: &[ImagePose],
     world: DAffine3,
 ) -> Result<OpenedCameras, FormatError> {
     let mut distorts = false;

@@ -30,22 +30,22 @@ const SYNTHETIC: f64 = 800.0;
 
 /// A frame's place.
 #[derive(Deserialize)]
-struct Frame {
+struct PosedImage {
     #[serde(default)]
     file_path: String,
     transform_matrix: Vec<[f64; 4]>,
 }
 
 #[derive(Deserialize)]
-struct Frames {
+struct PosedImages {
     #[serde(deserialize_with = "bounded")]
-    frames: Vec<Frame>,
+    frames: Vec<PosedImage>,
     applied_transform: Option<Vec<[f64; 4]>>,
 }
 
 /// How a camera sees: of one frame, or of all.
 #[derive(Clone, Default, Deserialize)]
-struct Lens {
+struct SharedLens {
     w: Option<f64>,
     h: Option<f64>,
     fl_x: Option<f64>,
@@ -67,10 +67,10 @@ struct Lens {
 #[derive(Deserialize)]
 struct Lenses {
     #[serde(deserialize_with = "bounded")]
-    frames: Vec<Lens>,
+    frames: Vec<SharedLens>,
 }
 
-impl Lens {
+impl SharedLens {
     /// This one, where it says something, else `shared`.
     fn or(&self, shared: &Self) -> Self {
         Self {
@@ -126,11 +126,11 @@ impl Lens {
 /// When the bytes are no `transforms.json`, or a camera is no pinhole or has an invalid number.
 pub fn parse(bytes: &[u8], path: &Path, world: DAffine3) -> Result<OpenedCameras, FormatError> {
     let failed = |error: serde_json::Error| not_json(&error);
-    let Frames {
+    let PosedImages {
         frames,
         applied_transform,
     } = serde_json::from_slice(bytes).map_err(failed)?;
-    let shared: Lens = serde_json::from_slice(bytes).map_err(failed)?;
+    let shared: SharedLens = serde_json::from_slice(bytes).map_err(failed)?;
     let own: Lenses = serde_json::from_slice(bytes).map_err(failed)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut distorts = false;
@@ -174,8 +174,8 @@ pub fn parse(bytes: &[u8], path: &Path, world: DAffine3) -> Result<OpenedCameras
 
 /// A frame's camera, or what was found and what was expected.
 fn placed_camera(
-    frame: &Frame,
-    lens: &Lens,
+    frame: &PosedImage,
+    lens: &SharedLens,
     [width, height]: [f64; 2],
 ) -> Result<PlacedCamera, (String, String)> {
     if let Some(model) = lens.other_model() {

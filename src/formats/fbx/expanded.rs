@@ -11,7 +11,7 @@ const WIDE: u32 = 7500;
 /// Bytes of a file with its arrays unpacked, at most [`MOST`] times as many as it has. Text, and what
 /// can't be followed, counts as it is.
 pub fn expanded(bytes: &[u8]) -> usize {
-    let mut nodes = Nodes {
+    let mut nodes = NodeWalk {
         bytes,
         at: HEADER,
         wide: false,
@@ -27,13 +27,13 @@ pub fn expanded(bytes: &[u8]) -> usize {
 }
 
 /// A way through a binary file. Nodes are in one another, but their properties follow each other.
-struct Nodes<'a> {
+struct NodeWalk<'a> {
     bytes: &'a [u8],
     at: usize,
     wide: bool,
 }
 
-impl Nodes<'_> {
+impl NodeWalk<'_> {
     fn start(&mut self) -> Option<()> {
         let version = self.bytes.get(HEADER - 4..)?.first_chunk()?;
         self.wide = u32::from_le_bytes(*version) >= WIDE;

@@ -1,7 +1,7 @@
 //! Numbers of an accessor.
 
 use super::{
-    Source,
+    GltfFile,
     document::{Accessor, SparsePart, entry},
 };
 use effigy_core::io::file::FormatError;
@@ -21,7 +21,7 @@ fn fault(at: u32, found: String, expected: &str) -> FormatError {
     FormatError::metadata(&format!("accessors[{at}]"), found, expected)
 }
 
-impl Source<'_> {
+impl GltfFile<'_> {
     /// An accessor.
     ///
     /// # Errors

@@ -10,15 +10,15 @@ use effigy_core::io::file::{FormatError, excerpt};
 use std::borrow::Cow;
 
 /// Gives the content of a file beside the document by its relative path, of at most so many bytes.
-pub type Beside<'a> = dyn FnMut(&str, u64) -> Result<Vec<u8>, FormatError> + 'a;
+pub type ReadBeside<'a> = dyn FnMut(&str, u64) -> Result<Vec<u8>, FormatError> + 'a;
 
 /// A document and its bytes.
-pub struct Source<'a> {
+pub struct GltfFile<'a> {
     pub document: Document<'a>,
     buffers: Vec<Cow<'a, [u8]>>,
 }
 
-impl<'a> Source<'a> {
+impl<'a> GltfFile<'a> {
     /// Reads the buffers that `is_used` says. `binary`: the bytes of the first in a `.glb`.
     ///
     /// # Errors
@@ -27,7 +27,7 @@ impl<'a> Source<'a> {
         document: Document<'a>,
         binary: Option<&'a [u8]>,
         is_used: impl Fn(u32) -> bool,
-        beside: &mut Beside,
+        beside: &mut ReadBeside,
     ) -> Result<Self, FormatError> {
         let mut buffers = Vec::with_capacity(document.buffers.len());
         for (at, buffer) in document.buffers.iter().enumerate() {
@@ -95,7 +95,7 @@ fn resource(
     uri: &str,
     at: usize,
     length: u64,
-    beside: &mut Beside,
+    beside: &mut ReadBeside,
 ) -> Result<Vec<u8>, FormatError> {
     let fault = |expected| {
         let found = format!("the address `{}`", excerpt(uri));

@@ -19,7 +19,7 @@ pub struct Document<'a> {
     #[serde(default, deserialize_with = "bounded")]
     pub buffer_views: Vec<View>,
     #[serde(default, borrow, deserialize_with = "bounded")]
-    pub buffers: Vec<Buffer<'a>>,
+    pub buffers: Vec<BufferFile<'a>>,
 }
 
 /// A node: a matrix by columns, or translation, rotation x y z w and scale.
@@ -110,7 +110,7 @@ pub struct ViewExtensions {
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Buffer<'a> {
+pub struct BufferFile<'a> {
     #[serde(borrow)]
     pub uri: Option<Cow<'a, str>>,
     pub byte_length: u64,
@@ -254,20 +254,20 @@ pub struct Extensions {
     pub vrm_0: Option<Vrm<BoneList>>,
     /// VRM 1.0.
     #[serde(rename = "VRMC_vrm")]
-    pub vrm_1: Option<Vrm<BTreeMap<String, Bone>>>,
+    pub vrm_1: Option<Vrm<BTreeMap<String, HumanBone>>>,
     /// VRM's animations.
     #[serde(rename = "VRMC_vrm_animation")]
-    pub animation: Option<Vrm<BTreeMap<String, Bone>>>,
+    pub animation: Option<Vrm<BTreeMap<String, HumanBone>>>,
 }
 
 #[derive(Deserialize)]
 pub struct Vrm<Bones> {
-    pub humanoid: Option<Humanoid<Bones>>,
+    pub humanoid: Option<VrmHumanoid<Bones>>,
 }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Humanoid<Bones> {
+pub struct VrmHumanoid<Bones> {
     pub human_bones: Bones,
 }
 
@@ -282,7 +282,7 @@ pub struct NamedBone {
 }
 
 #[derive(Deserialize)]
-pub struct Bone {
+pub struct HumanBone {
     pub node: u32,
 }
 

@@ -17,7 +17,7 @@ const HEADER: usize = 12;
 const CHUNK: usize = 8;
 
 /// A file's parts.
-pub struct Parts<'a> {
+pub struct GlbChunks<'a> {
     /// JSON.
     pub document: Cow<'a, [u8]>,
     /// The bytes of the first buffer.
@@ -60,9 +60,9 @@ fn padded_chunk(bytes: &[u8], at: usize) -> Option<Chunk<'_>> {
 ///
 /// # Errors
 /// When a GLB is of another version, has no document or is cut off.
-pub fn parts(bytes: &[u8]) -> Result<Parts<'_>, FormatError> {
+pub fn parts(bytes: &[u8]) -> Result<GlbChunks<'_>, FormatError> {
     if !bytes.starts_with(b"glTF") {
-        return Ok(Parts {
+        return Ok(GlbChunks {
             document: json(bytes),
             binary: None,
         });
@@ -97,7 +97,7 @@ pub fn parts(bytes: &[u8]) -> Result<Parts<'_>, FormatError> {
         match (kind, document) {
             (JSON, None) => document = Some(content),
             (BINARY, Some(document)) => {
-                return Ok(Parts {
+                return Ok(GlbChunks {
                     document: json(document),
                     binary: Some(content),
                 });
@@ -108,7 +108,7 @@ pub fn parts(bytes: &[u8]) -> Result<Parts<'_>, FormatError> {
     }
     let document = document
         .ok_or_else(|| FormatError::container("a .glb without a document", "a chunk JSON"))?;
-    Ok(Parts {
+    Ok(GlbChunks {
         document: json(document),
         binary: None,
     })

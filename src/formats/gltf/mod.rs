@@ -12,6 +12,6 @@ pub mod document;
 mod glb;
 
 pub use accessor::FLOAT;
-pub use buffers::Source;
+pub use buffers::GltfFile;
 pub use document::{Document, entry, parse};
 pub use glb::parts;

@@ -1,7 +1,7 @@
 //! Keys of a channel, and values between them.
 
 use crate::gltf::{
-    FLOAT, Source,
+    FLOAT, GltfFile,
     document::{Interpolation, Path, Sampler, Shape},
 };
 use effigy_core::io::file::FormatError;
@@ -27,7 +27,7 @@ struct Moment {
 
 /// The rows of an accessor, all finite. `shape`, `count`: what it has to have.
 pub fn rows<const N: usize>(
-    source: &Source,
+    source: &GltfFile,
     at: u32,
     shape: Shape,
     count: u64,
@@ -61,7 +61,7 @@ pub fn rows<const N: usize>(
 
 /// The times of a sampler's keys, seconds. They may begin before 0, and several keys may be at one
 /// time: exporters write the frames that an animation has.
-pub fn times(source: &Source, sampler: &Sampler) -> Result<Vec<f32>, FormatError> {
+pub fn times(source: &GltfFile, sampler: &Sampler) -> Result<Vec<f32>, FormatError> {
     let count = source.accessor(sampler.input)?.count;
     let times = rows::<1>(source, sampler.input, Shape::Scalar, count)?.into_flattened();
     match times.windows(2).find(|pair| pair[0] > pair[1]) {
@@ -76,7 +76,7 @@ pub fn times(source: &Source, sampler: &Sampler) -> Result<Vec<f32>, FormatError
 
 impl Curve {
     /// Reads a channel's keys.
-    pub fn read(source: &Source, sampler: &Sampler, path: Path) -> Result<Self, FormatError> {
+    pub fn read(source: &GltfFile, sampler: &Sampler, path: Path) -> Result<Self, FormatError> {
         let times = times(source, sampler)?;
         let each = match sampler.interpolation {
             Interpolation::CubicSpline => 3,

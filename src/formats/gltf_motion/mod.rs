@@ -16,7 +16,7 @@ use crate::{
     assumption::Assumption,
     capture::{Capture, Captured, LocalPose, Rest, UpAxis, Usual, check_size, checked_rate},
     gltf::{
-        self, Source,
+        self, GltfFile,
         document::{Animation, Channel, Motion, Path, Sampler, Skin},
     },
     scene_tree::{Place, SceneTree},
@@ -25,7 +25,7 @@ use curve::{Curve, times};
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3};
 use std::collections::{BTreeMap, BTreeSet};
-use tree::{Tree, bind};
+use tree::{NodeTree, bind};
 
 /// Frames a second at most, where keys are denser.
 const MAX_RATE: f64 = 60.0;
@@ -64,7 +64,7 @@ pub fn from_bytes(
         let missing = || format!("no file `{}`", excerpt(name));
         beside(name).ok_or_else(|| FormatError::container(missing(), "it beside this one"))
     };
-    let source = Source::read(document, parts.binary, |_| true, &mut beside)?;
+    let source = GltfFile::read(document, parts.binary, |_| true, &mut beside)?;
 
     let mut assumptions = vec![];
     let animations = motion.animations.iter();
@@ -75,7 +75,7 @@ pub fn from_bytes(
     };
     let asked = options.animation.as_deref();
     let animation = &motion.animations[usual.or(asked, &names, &mut assumptions)?];
-    let Tree { nodes, odd_scales } = Tree::read(&source.document)?;
+    let NodeTree { nodes, odd_scales } = NodeTree::read(&source.document)?;
     let bones = humanoid::bones(&motion.extensions, nodes.parent.len());
     let kept = kept(&nodes, &motion.skins, animation, &bones)?;
     let mut rest = nodes.place.clone();
@@ -226,15 +226,15 @@ fn moves<'a>(animation: &'a Animation, kept: &[bool]) -> Result<Vec<Vec<Move<'a>
 }
 
 /// When keys stand.
-struct Span {
+struct KeySpan {
     start: f64,
     end: f64,
     /// The shortest time between two keys of a channel, seconds.
     shortest: Option<f64>,
 }
 
-fn span(source: &Source, moves: &[Vec<Move>]) -> Result<Span, FormatError> {
-    let mut span = Span {
+fn span(source: &GltfFile, moves: &[Vec<Move>]) -> Result<KeySpan, FormatError> {
+    let mut span = KeySpan {
         start: f64::INFINITY,
         end: f64::NEG_INFINITY,
         shortest: None,
@@ -270,7 +270,7 @@ fn span(source: &Source, moves: &[Vec<Move>]) -> Result<Span, FormatError> {
 }
 
 fn rate(
-    span: &Span,
+    span: &KeySpan,
     asked: Option<f64>,
     assumptions: &mut Vec<Assumption>,
 ) -> Result<f64, FormatError> {

@@ -3,7 +3,7 @@
 use super::curve::rows;
 use crate::{
     gltf::{
-        Document, Source,
+        Document, GltfFile,
         document::{Shape, Skin},
     },
     scene_tree::{Place, SceneTree},
@@ -31,13 +31,13 @@ fn differ(a: &Place, b: &Place) -> bool {
 }
 
 /// The nodes of a file.
-pub struct Tree {
+pub struct NodeTree {
     pub nodes: SceneTree,
     /// Nodes whose scale differs from axis to axis or mirrors.
     pub odd_scales: usize,
 }
 
-impl Tree {
+impl NodeTree {
     pub fn read(document: &Document) -> Result<Self, FormatError> {
         let count = document.nodes.len();
         let mut odd_scales = 0;
@@ -104,7 +104,7 @@ impl Tree {
 /// Moves nodes to where they are when their skin is as it was made: each joint whose parent is a
 /// joint of the same skin, by the skin's inverse bind matrices. Gives how many nodes say otherwise.
 pub fn bind(
-    source: &Source,
+    source: &GltfFile,
     skins: &[Skin],
     tree: &SceneTree,
     rest: &mut [Place],

@@ -1,6 +1,6 @@
 //! What blends what: of each Gaussian or node a few nearest others, with weights.
 
-use super::fields::Fields;
+use super::fields::CheckpointFields;
 use crate::fault::tensor;
 use effigy_core::io::file::FormatError;
 
@@ -60,7 +60,7 @@ impl Blend {
 
     /// Reads the others of `rows` rows, of which there are `others`, and weights in proportion.
     pub(super) fn read(
-        fields: Fields,
+        fields: CheckpointFields,
         index: &str,
         weight: &str,
         rows: usize,

@@ -5,11 +5,11 @@ use effigy_core::{constants::FEATURE_MAX, io::file::FormatError};
 
 /// The dictionary of a checkpoint.
 #[derive(Clone, Copy)]
-pub struct Fields<'p> {
+pub struct CheckpointFields<'p> {
     pub root: Value<'p>,
 }
 
-impl<'p> Fields<'p> {
+impl<'p> CheckpointFields<'p> {
     pub fn has(self, name: &str) -> bool {
         self.root.get(name).is_some()
     }

@@ -1,7 +1,7 @@
 //! The anchors' networks, which stay in the file until one is asked for: together they are most of
 //! it.
 
-use super::fields::Fields;
+use super::fields::CheckpointFields;
 use crate::{fault::tensor, pickle::Value};
 use effigy_core::{avatar::Activation, io::file::FormatError};
 
@@ -44,8 +44,11 @@ struct StoredLayer<'p> {
 
 impl<'p> NetworkSource<'p> {
     /// Finds the layers and checks their shapes.
-    pub(super) fn read(fields: Fields<'p>, activation: Activation) -> Result<Self, FormatError> {
-        let params = Fields {
+    pub(super) fn read(
+        fields: CheckpointFields<'p>,
+        activation: Activation,
+    ) -> Result<Self, FormatError> {
+        let params = CheckpointFields {
             root: fields.get("encoder_feat_params")?,
         };
         let mut layers = Vec::new();

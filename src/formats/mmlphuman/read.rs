@@ -1,6 +1,6 @@
 //! Reading of a checkpoint.
 
-use super::{Options, blend::Blend, fields::Fields, networks::NetworkSource};
+use super::{Options, blend::Blend, fields::CheckpointFields, networks::NetworkSource};
 use crate::{
     assumption::Assumption,
     fault::tensor,
@@ -102,7 +102,7 @@ impl<'p> Checkpoint<'p> {
     /// When an entry is missing or has a wrong type, shape or number, or entries show more numbers
     /// than the file has.
     pub fn new(pickle: &'p Pickle, options: &Options) -> Result<Self, FormatError> {
-        let fields = Fields {
+        let fields = CheckpointFields {
             root: pickle.root(),
         };
         let count = fields.shape("_xyz", &[None, Some(3)])?[0];
@@ -140,14 +140,7 @@ impl<'p> Checkpoint<'p> {
             rows.iter().map(|&row| point(row)).collect()
         } else {
             let fit = fitted_nodes(&placed, &gaussian_nodes, node_count);
-            assumptions.push(Assumption {
-                what: "node positions",
-                taken: format!(
-                    "fitted to the nodes' weights, which differ by {:.4} rms",
-                    fit.deviation
-                ),
-                because: "the file has no xyz_vt".into(),
-            });
+            assumptions.push(fitted_position(&fit));
             fit.position
         };
         let anchors = networks.count;
@@ -205,7 +198,7 @@ fn point(row: [f32; 3]) -> DVec3 {
 }
 
 /// Fails where entries show more memory than the file has: tensors may share it, or repeat it.
-fn check_memory(fields: Fields, networks: &NetworkSource) -> Result<(), FormatError> {
+fn check_memory(fields: CheckpointFields, networks: &NetworkSource) -> Result<(), FormatError> {
     let entries = fields.root.values().into_iter().flatten();
     let poses = fields.root.get("all_poses").and_then(Value::values);
     let tensors = entries.chain(poses.into_iter().flatten());
@@ -229,7 +222,7 @@ struct BasisLengths {
 
 /// B and C: from the shapes of the bases, which must be the networks' outputs together.
 fn basis_lengths(
-    fields: Fields,
+    fields: CheckpointFields,
     networks: &NetworkSource,
     count: usize,
     nodes: usize,
@@ -255,7 +248,7 @@ fn basis_lengths(
 }
 
 fn read_gaussians(
-    fields: Fields,
+    fields: CheckpointFields,
     placed: &[[f32; 3]],
     options: &Options,
     harmonic: bool,
@@ -300,7 +293,7 @@ fn read_gaussians(
 }
 
 /// Floats of this shape, or of this shape with a last dimension of 1.
-fn column(fields: Fields, name: &str, shape: &[usize]) -> Result<Vec<f32>, FormatError> {
+fn column(fields: CheckpointFields, name: &str, shape: &[usize]) -> Result<Vec<f32>, FormatError> {
     let columns = [shape, &[1]].concat();
     let found = fields.get(name)?.shape();
     let shape = if found == Some(&columns[..]) {
@@ -312,7 +305,7 @@ fn column(fields: Fields, name: &str, shape: &[usize]) -> Result<Vec<f32>, Forma
 }
 
 fn read_bases(
-    fields: Fields,
+    fields: CheckpointFields,
     count: usize,
     basis: usize,
     harmonic: bool,
@@ -330,7 +323,11 @@ fn read_bases(
     })
 }
 
-fn read_skin(fields: Fields, count: usize, joints: usize) -> Result<Vec<f32>, FormatError> {
+fn read_skin(
+    fields: CheckpointFields,
+    count: usize,
+    joints: usize,
+) -> Result<Vec<f32>, FormatError> {
     let mut skin = fields.numbers("_weights", &[count, joints])?;
     for (row, weights) in skin.chunks_exact_mut(joints).enumerate() {
         // Interpolation rounds: a weight may be slightly below 0.
@@ -345,12 +342,12 @@ fn read_skin(fields: Fields, count: usize, joints: usize) -> Result<Vec<f32>, Fo
 }
 
 /// A skeleton, and what was assumed of it.
-struct Tree {
+struct FoundTree {
     skeleton: Skeleton,
     assumption: Option<Assumption>,
 }
 
-fn read_skeleton(fields: Fields, options: &Options) -> Result<Tree, FormatError> {
+fn read_skeleton(fields: CheckpointFields, options: &Options) -> Result<FoundTree, FormatError> {
     let joints = fields.shape("t_joints", &[None, Some(3)])?[0];
     if joints == 0 || joints > limits::JOINTS {
         let expected = format!("1 to {} joints", limits::JOINTS);
@@ -398,7 +395,7 @@ fn read_skeleton(fields: Fields, options: &Options) -> Result<Tree, FormatError>
             format!("more than the {inputs} of the networks"),
         ));
     }
-    Ok(Tree {
+    Ok(FoundTree {
         skeleton: Skeleton {
             name: (0..joints).map(name).collect(),
             parent,
@@ -410,8 +407,8 @@ fn read_skeleton(fields: Fields, options: &Options) -> Result<Tree, FormatError>
 }
 
 /// Joints whose rotations enter the networks.
-fn fields_input_joints(fields: Fields) -> Result<usize, FormatError> {
-    let params = Fields {
+fn fields_input_joints(fields: CheckpointFields) -> Result<usize, FormatError> {
+    let params = CheckpointFields {
         root: fields.get("encoder_feat_params")?,
     };
     let name = "layers.0.weight";
@@ -423,7 +420,7 @@ fn fields_input_joints(fields: Fields) -> Result<usize, FormatError> {
     Ok(width / 3)
 }
 
-fn read_parents(fields: Fields, joints: usize) -> Result<Vec<Option<u8>>, FormatError> {
+fn read_parents(fields: CheckpointFields, joints: usize) -> Result<Vec<Option<u8>>, FormatError> {
     fields.shape("joint_parents", &[Some(joints)])?;
     let numbers = fields
         .get("joint_parents")?
@@ -450,7 +447,7 @@ struct NumberedPose {
     pose: Pose,
 }
 
-fn read_poses(fields: Fields, joints: usize) -> Result<Vec<Pose>, FormatError> {
+fn read_poses(fields: CheckpointFields, joints: usize) -> Result<Vec<Pose>, FormatError> {
     let Some(all) = fields.root.get("all_poses") else {
         return Ok(vec![]);
     };
@@ -485,6 +482,17 @@ fn read_poses(fields: Fields, joints: usize) -> Result<Vec<Pose>, FormatError> {
     }
     poses.sort_by_key(|pose| pose.frame);
     Ok(poses.into_iter().map(|numbered| numbered.pose).collect())
+}
+
+fn fitted_position(fit: &nodes::NodeFit) -> Assumption {
+    Assumption {
+        what: "node positions",
+        taken: format!(
+            "fitted to the nodes' weights, which differ by {:.4} rms",
+            fit.deviation
+        ),
+        because: "the file has no xyz_vt".into(),
+    }
 }
 
 fn fitted_nodes(placed: &[[f32; 3]], near: &Blend, count: usize) -> nodes::NodeFit {

@@ -158,12 +158,12 @@ impl Array {
 /// Where in an array's memory its numbers are, in C order.
 struct Indices {
     /// Of each dimension from the last: its size, and how far apart neighbours are.
-    axes: Vec<Axis>,
+    axes: Vec<ArrayAxis>,
     left: usize,
     at: usize,
 }
 
-struct Axis {
+struct ArrayAxis {
     size: usize,
     stride: usize,
     index: usize,
@@ -174,7 +174,7 @@ impl Indices {
         let left = header.count().unwrap_or_default();
         if !header.fortran {
             // The memory is in C order.
-            let axis = Axis {
+            let axis = ArrayAxis {
                 size: left,
                 stride: 1,
                 index: 0,
@@ -186,9 +186,9 @@ impl Indices {
             };
         }
         let mut stride = 1;
-        let mut axes: Vec<Axis> = Vec::new();
+        let mut axes: Vec<ArrayAxis> = Vec::new();
         for &size in &header.shape {
-            axes.push(Axis {
+            axes.push(ArrayAxis {
                 size,
                 stride,
                 index: 0,

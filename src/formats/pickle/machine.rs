@@ -4,7 +4,7 @@
 
 use super::{
     globals::global,
-    node::{ArrayNode, Entry, Global, Node, Nodes, Ref, Storage},
+    node::{Arena, ArrayNode, DictEntry, Global, Node, Ref, Storage},
 };
 use crate::npz::Element;
 use effigy_core::io::file::{FormatError, excerpt};
@@ -23,7 +23,7 @@ const MAX_DEPTH: usize = 4;
 
 /// Builds values of one file.
 pub struct Machine<'a> {
-    pub nodes: Nodes<'a>,
+    pub nodes: Arena<'a>,
     /// Where memory of tensors is; empty where it follows the pickle.
     storages: BTreeMap<String, &'a [u8]>,
     values_left: usize,
@@ -33,7 +33,7 @@ pub struct Machine<'a> {
 }
 
 /// A pickle that was read.
-pub struct Run {
+pub struct Unpickled {
     pub root: Ref,
     /// Where it ends in its bytes.
     pub end: usize,
@@ -96,7 +96,7 @@ impl<'a> Input<'a> {
 
 /// The stack and memo of one pickle.
 #[derive(Default)]
-struct Frame {
+struct Stack {
     stack: Vec<Ref>,
     /// Heights of the stack at each mark.
     marks: Vec<usize>,
@@ -105,7 +105,7 @@ struct Frame {
     filled: usize,
 }
 
-impl Frame {
+impl Stack {
     fn pop(&mut self) -> Result<Ref, FormatError> {
         let floor = self.marks.last().copied().unwrap_or_default();
         if self.stack.len() <= floor {
@@ -130,7 +130,7 @@ impl<'a> Machine<'a> {
     /// `size`: bytes of the file, from which limits follow.
     pub fn new(size: usize, storages: BTreeMap<String, &'a [u8]>) -> Self {
         Self {
-            nodes: Nodes::new(size),
+            nodes: Arena::new(size),
             storages,
             values_left: (size / BYTES_A_VALUE)
                 .max(MIN_VALUES)
@@ -141,7 +141,12 @@ impl<'a> Machine<'a> {
     }
 
     /// Reads one pickle. `depth`: how many it is in.
-    pub fn run(&mut self, bytes: &'a [u8], start: usize, depth: usize) -> Result<Run, FormatError> {
+    pub fn run(
+        &mut self,
+        bytes: &'a [u8],
+        start: usize,
+        depth: usize,
+    ) -> Result<Unpickled, FormatError> {
         if depth >= MAX_DEPTH {
             return Err(fault(
                 format!("a pickle in {MAX_DEPTH} others"),
@@ -149,11 +154,11 @@ impl<'a> Machine<'a> {
             ));
         }
         let mut input = Input { bytes, at: start };
-        let mut frame = Frame::default();
+        let mut frame = Stack::default();
         loop {
             let opcode = input.take(1)?[0];
             if opcode == b'.' {
-                return Ok(Run {
+                return Ok(Unpickled {
                     root: frame.pop()?,
                     end: input.at,
                 });
@@ -188,13 +193,13 @@ impl<'a> Machine<'a> {
         Ok(Node::Array(Box::new(array)))
     }
 
-    fn push(&mut self, frame: &mut Frame, at: Ref) -> Result<(), FormatError> {
+    fn push(&mut self, frame: &mut Stack, at: Ref) -> Result<(), FormatError> {
         self.pay(1)?;
         frame.stack.push(at);
         Ok(())
     }
 
-    fn push_new(&mut self, frame: &mut Frame, node: Node<'a>) -> Result<(), FormatError> {
+    fn push_new(&mut self, frame: &mut Stack, node: Node<'a>) -> Result<(), FormatError> {
         let at = self.add(node)?;
         self.push(frame, at)
     }
@@ -203,7 +208,7 @@ impl<'a> Machine<'a> {
         &mut self,
         opcode: u8,
         input: &mut Input<'a>,
-        frame: &mut Frame,
+        frame: &mut Stack,
         depth: usize,
     ) -> Result<(), FormatError> {
         match opcode {
@@ -299,7 +304,7 @@ impl<'a> Machine<'a> {
             b's' => {
                 let value = frame.pop()?;
                 let key = frame.pop()?;
-                self.set(frame.top()?, vec![Entry { key, value }])?;
+                self.set(frame.top()?, vec![DictEntry { key, value }])?;
             }
             b'u' => {
                 let items = frame.above_mark()?;
@@ -371,7 +376,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    fn set(&mut self, target: Ref, entries: Vec<Entry>) -> Result<(), FormatError> {
+    fn set(&mut self, target: Ref, entries: Vec<DictEntry>) -> Result<(), FormatError> {
         let Node::Dict(dict) = self.nodes.get_mut(target) else {
             return Err(fault(
                 "entries for something else",
@@ -382,7 +387,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    fn remember(&mut self, frame: &mut Frame, place: u64) -> Result<(), FormatError> {
+    fn remember(&mut self, frame: &mut Stack, place: u64) -> Result<(), FormatError> {
         let top = frame.top()?;
         // Writers number what they remember from 0.
         let place = usize::try_from(place).unwrap_or(usize::MAX);
@@ -396,7 +401,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    fn recall(&mut self, frame: &mut Frame, place: u64) -> Result<(), FormatError> {
+    fn recall(&mut self, frame: &mut Stack, place: u64) -> Result<(), FormatError> {
         let place = usize::try_from(place).ok();
         let known = place.and_then(|place| frame.memo.get(place).copied().flatten());
         let known = known.ok_or_else(|| fault("a place that was never filled", "a known one"))?;
@@ -453,7 +458,7 @@ impl<'a> Machine<'a> {
                     let Some(&[key, value]) = self.nodes.list(pair) else {
                         return Err(wrong());
                     };
-                    entries.push(Entry { key, value });
+                    entries.push(DictEntry { key, value });
                 }
                 self.pay(entries.len())?;
                 Node::Dict(entries)
@@ -700,11 +705,11 @@ fn long(bytes: &[u8]) -> Node<'_> {
     Node::Int((word << unused) as i64 >> unused)
 }
 
-fn entries(items: &[Ref]) -> Result<Vec<Entry>, FormatError> {
+fn entries(items: &[Ref]) -> Result<Vec<DictEntry>, FormatError> {
     let (pairs, []) = items.as_chunks::<2>() else {
         return Err(fault("a key without a value", "pairs"));
     };
-    let entry = |&[key, value]: &[Ref; 2]| Entry { key, value };
+    let entry = |&[key, value]: &[Ref; 2]| DictEntry { key, value };
     Ok(pairs.iter().map(entry).collect())
 }
 

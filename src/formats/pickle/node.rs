@@ -2,7 +2,7 @@
 
 use crate::npz::Element;
 
-/// Where a value is in [`Nodes`].
+/// Where a value is in [`Arena`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ref(u32);
 
@@ -21,7 +21,7 @@ pub enum Node<'a> {
     Decoded(Vec<u8>),
     List(Vec<Ref>),
     Tuple(Vec<Ref>),
-    Dict(Vec<Entry>),
+    Dict(Vec<DictEntry>),
     Global(Global),
     /// A type of numbers; of Python's objects where it is None.
     Element(Option<Element>),
@@ -37,7 +37,7 @@ pub enum Node<'a> {
 
 /// A key of a dictionary and its value.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
+pub struct DictEntry {
     pub key: Ref,
     pub value: Ref,
 }
@@ -97,19 +97,19 @@ pub enum Global {
 
 /// What a file held.
 pub struct Built<'a> {
-    pub nodes: Nodes<'a>,
+    pub nodes: Arena<'a>,
     pub root: Ref,
 }
 
 /// The values of a pickle.
 #[derive(Debug)]
-pub struct Nodes<'a> {
+pub struct Arena<'a> {
     nodes: Vec<Node<'a>>,
     /// Bytes of the file.
     size: usize,
 }
 
-impl<'a> Nodes<'a> {
+impl<'a> Arena<'a> {
     /// None yet. `size`: bytes of the file.
     pub fn new(size: usize) -> Self {
         Self {

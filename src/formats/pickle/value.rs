@@ -1,6 +1,6 @@
 //! Looking at what a pickle holds.
 
-use super::node::{ArrayNode, Node, Nodes, Ref};
+use super::node::{Arena, ArrayNode, Node, Ref};
 use crate::npz::Kind;
 use effigy_core::io::file::{FormatError, excerpt};
 use std::ops::Range;
@@ -8,7 +8,7 @@ use std::ops::Range;
 /// A value of a pickle.
 #[derive(Clone, Copy)]
 pub struct Value<'p> {
-    nodes: &'p Nodes<'p>,
+    nodes: &'p Arena<'p>,
     at: Ref,
 }
 
@@ -22,7 +22,7 @@ pub struct Numbers {
 }
 
 impl<'p> Value<'p> {
-    pub(super) fn new(nodes: &'p Nodes<'p>, at: Ref) -> Self {
+    pub(super) fn new(nodes: &'p Arena<'p>, at: Ref) -> Self {
         Self { nodes, at }
     }
 

@@ -50,7 +50,7 @@ pub struct Bodies<'a> {
 
 /// A bone of both bodies: from a joint to another one.
 #[derive(Clone, Copy)]
-struct Bone {
+struct BonePair {
     joint: usize,
     end: usize,
     target: usize,
@@ -59,23 +59,23 @@ struct Bone {
 
 impl Bodies<'_> {
     /// Where a bone of the avatar points at rest.
-    fn target_along(&self, bone: Bone) -> Option<DVec3> {
+    fn target_along(&self, bone: BonePair) -> Option<DVec3> {
         let rest = &self.target_tree.rest;
         (rest[bone.target_end] - rest[bone.target]).try_normalize()
     }
 
     /// Bones of arms and legs and fingers, from the trunk outwards; without collar bones and feet.
-    fn limb_bones(&self) -> Vec<Bone> {
+    fn limb_bones(&self) -> Vec<BonePair> {
         let mut bones = vec![];
         let children = self.tree.children();
         for (own, theirs) in self.source.arms.iter().zip(&self.target.arms) {
-            bones.push(Bone {
+            bones.push(BonePair {
                 joint: own.upper,
                 end: own.forearm,
                 target: theirs.upper,
                 target_end: theirs.forearm,
             });
-            bones.push(Bone {
+            bones.push(BonePair {
                 joint: own.forearm,
                 end: own.hand,
                 target: theirs.forearm,
@@ -87,13 +87,13 @@ impl Bodies<'_> {
             bones.extend(finger_bones(&children, own, theirs));
         }
         for (own, theirs) in self.source.legs().iter().zip(self.target.legs()) {
-            bones.push(Bone {
+            bones.push(BonePair {
                 joint: own.thigh,
                 end: own.shin,
                 target: theirs.thigh,
                 target_end: theirs.shin,
             });
-            bones.push(Bone {
+            bones.push(BonePair {
                 joint: own.shin,
                 end: own.foot,
                 target: theirs.shin,
@@ -105,12 +105,12 @@ impl Bodies<'_> {
 }
 
 /// From the wrist to the knuckle of the middle finger, else to what is furthest from the wrist.
-fn hand_bone(tree: &Tree, own: &Arm, theirs: &Arm) -> Option<Bone> {
+fn hand_bone(tree: &Tree, own: &Arm, theirs: &Arm) -> Option<BonePair> {
     let far = |joint: usize| tree.rest[joint].distance(tree.rest[own.hand]);
     let furthest = (0..tree.len())
         .filter(|&joint| tree.is_above(own.hand, joint) && far(joint) > 0.0)
         .max_by(|&a, &b| far(a).total_cmp(&far(b)));
-    Some(Bone {
+    Some(BonePair {
         joint: own.hand,
         end: own.fingers[2].first().copied().or(furthest)?,
         target: theirs.hand,
@@ -118,13 +118,13 @@ fn hand_bone(tree: &Tree, own: &Arm, theirs: &Arm) -> Option<Bone> {
     })
 }
 
-fn finger_bones(children: &[Vec<usize>], own: &Arm, theirs: &Arm) -> Vec<Bone> {
+fn finger_bones(children: &[Vec<usize>], own: &Arm, theirs: &Arm) -> Vec<BonePair> {
     let mut bones = vec![];
     for (own, theirs) in own.fingers.iter().zip(&theirs.fingers) {
         for (at, (&joint, &target)) in own.iter().zip(theirs).enumerate() {
             let end = own.get(at + 1).or_else(|| children[joint].first());
             if let (Some(&end), Some(&target_end)) = (end, theirs.get(at + 1)) {
-                bones.push(Bone {
+                bones.push(BonePair {
                     joint,
                     end,
                     target,
@@ -146,7 +146,7 @@ impl Alignment {
                 basis: Basis::Rest,
             },
             None => Self {
-                inverse: Motion::new(bodies, upright).references(),
+                inverse: BoneMotion::new(bodies, upright).references(),
                 basis: Basis::Motion,
             },
         }
@@ -236,15 +236,15 @@ fn mean(rotations: impl Iterator<Item = DQuat>) -> Option<DQuat> {
 }
 
 /// References from bones' axes and the capture's motion.
-struct Motion<'a> {
+struct BoneMotion<'a> {
     bodies: &'a Bodies<'a>,
     children: Vec<Vec<usize>>,
     /// Rotations and positions of all joints, in frames spread over the capture.
-    frames: Vec<Frame>,
+    frames: Vec<JointFrame>,
     inverse: Vec<DQuat>,
 }
 
-struct Frame {
+struct JointFrame {
     rotation: Vec<DQuat>,
     position: Vec<DVec3>,
 }
@@ -260,12 +260,12 @@ fn trunk(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
 /// Sum of sines of an elbow's or knee's bends, a frame each, above which its axis is known.
 const BENT: f64 = 0.3;
 
-impl<'a> Motion<'a> {
+impl<'a> BoneMotion<'a> {
     fn new(bodies: &'a Bodies<'a>, upright: &Upright) -> Self {
         let frames = spread(upright.capture().frames())
             .map(|frame| {
                 let world = upright.world(frame);
-                Frame {
+                JointFrame {
                     rotation: rotations(&world),
                     position: positions(&world),
                 }
@@ -323,7 +323,7 @@ impl<'a> Motion<'a> {
             let target_limb = [theirs.thigh, theirs.shin, theirs.foot];
             self.hinge(limb, target_limb, DVec3::X, source.hips);
             let ball = own.ball(&self.children);
-            let foot = ball.zip(theirs.toe).map(|(ball, their_ball)| Bone {
+            let foot = ball.zip(theirs.toe).map(|(ball, their_ball)| BonePair {
                 joint: own.foot,
                 end: ball,
                 target: theirs.foot,
@@ -410,7 +410,7 @@ impl<'a> Motion<'a> {
 
     /// A joint that is on average turned as the one above it, and whose bone points along the
     /// avatar's.
-    fn follow(&mut self, joint: usize, above: usize, bone: Option<Bone>) {
+    fn follow(&mut self, joint: usize, above: usize, bone: Option<BonePair>) {
         let inverse = mean(self.frames.iter().map(|frame| {
             frame.rotation[joint].inverse() * frame.rotation[above] * self.inverse[above]
         }));
@@ -438,7 +438,7 @@ impl<'a> Motion<'a> {
             }
         }
         for at in [0, 1] {
-            let bone = Bone {
+            let bone = BonePair {
                 joint: limb[at],
                 end: limb[at + 1],
                 target: target[at],

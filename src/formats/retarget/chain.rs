@@ -17,7 +17,7 @@ const TURNS: f64 = 0.26;
 const STRAIGHT: f64 = 0.14;
 
 /// Three joints of a limb: shoulder, elbow and wrist, or hip, knee and ankle.
-pub type Joints = [usize; 3];
+pub type LimbJoints = [usize; 3];
 
 /// Joints from a trunk to the end of a limb, and where they are.
 pub struct Chain {
@@ -84,7 +84,7 @@ impl Chain {
     /// The places in the chain of the limb's joints, if the motion shows them: of bones that are alike
     /// and turn the two longest. `first`: where the limb begins by its lengths, beyond which the end of
     /// the chain is no bone of it.
-    pub fn shown(&self, first: usize) -> Option<Joints> {
+    pub fn shown(&self, first: usize) -> Option<LimbJoints> {
         let last = self.joints.len().checked_sub(1)?;
         let mut shown = None;
         let mut longest = 0.0;

@@ -29,12 +29,12 @@ const REACH: f64 = 0.998;
 const SMOOTH: f64 = 0.1;
 
 /// A way of a foot over the ground, a position each frame, metres and y up.
-pub struct Track {
+pub struct FootPath {
     /// The ball; the ankle, where there is none.
     pub ball: Vec<DVec3>,
 }
 
-impl Track {
+impl FootPath {
     /// Lowest height of the ball in all but a twentieth of the frames.
     pub fn ground(&self) -> f64 {
         low(self.ball.iter().map(|ball| ball.y))

@@ -16,7 +16,7 @@ const INSIDE: f64 = 0.9;
 /// A slice through the trunk, level in the rest pose: half an ellipse in front and half one behind
 /// the joint that carries it. Metres; 0: nothing is there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Slice {
+struct TrunkSlice {
     /// To either side.
     width: f64,
     front: f64,
@@ -25,25 +25,25 @@ struct Slice {
 
 /// The part of the trunk that one joint carries.
 #[derive(Clone, Debug, PartialEq)]
-struct Section {
+struct TrunkSection {
     joint: usize,
     /// Height of the first slice over the joint, metres.
     bottom: f64,
     /// From the bottom up.
-    slices: Vec<Slice>,
+    slices: Vec<TrunkSlice>,
 }
 
 /// The thickness of an avatar's trunk and arms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Girth {
-    sections: Vec<Section>,
+    sections: Vec<TrunkSection>,
     /// Of forearms, metres.
     pub arm: f64,
 }
 
 /// What of an avatar its thickness is measured on, of N Gaussians.
 #[derive(Clone, Copy, Debug)]
-pub struct Skin<'a> {
+pub struct TrunkSkin<'a> {
     /// The avatar's.
     pub skeleton: &'a Skeleton,
     /// The box that positions are coordinates in.
@@ -56,7 +56,7 @@ pub struct Skin<'a> {
     pub joint_weight: &'a [[u8; 4]],
 }
 
-impl<'a> From<&'a Avatar> for Skin<'a> {
+impl<'a> From<&'a Avatar> for TrunkSkin<'a> {
     fn from(avatar: &'a Avatar) -> Self {
         let gaussians = &avatar.gaussians;
         Self {
@@ -76,7 +76,7 @@ struct Points {
 }
 
 impl Points {
-    fn of(skin: Skin) -> Self {
+    fn of(skin: TrunkSkin) -> Self {
         let skeleton = skin.skeleton;
         let rest = Pose::rest(skeleton.len(), 0);
         let to_rest = skeleton.matrices(&rest);
@@ -117,7 +117,7 @@ impl Girth {
     }
 
     /// Measures the skin of an avatar; None: it has no body.
-    pub fn of_skin(skin: Skin) -> Option<Self> {
+    pub fn of_skin(skin: TrunkSkin) -> Option<Self> {
         let tree = super::tree::Tree::of_skeleton(skin.skeleton);
         let body = Humanoid::find(&tree, None, &[]).ok()?;
         let points = Points::of(skin);
@@ -176,7 +176,7 @@ pub struct Depth {
     pub out: DVec3,
 }
 
-fn section(points: &Points, joint: usize) -> Option<Section> {
+fn section(points: &Points, joint: usize) -> Option<TrunkSection> {
     let mut own: Vec<DVec3> = points
         .of_joint(joint)
         .filter(|at| at.y.abs() < TALLEST)
@@ -191,7 +191,7 @@ fn section(points: &Points, joint: usize) -> Option<Section> {
         above = rest;
         slice(of_slice)
     });
-    Some(Section {
+    Some(TrunkSection {
         joint,
         bottom,
         slices: slices.collect(),
@@ -199,15 +199,15 @@ fn section(points: &Points, joint: usize) -> Option<Section> {
 }
 
 /// The outline of the points of a slice.
-fn slice(points: &[DVec3]) -> Slice {
+fn slice(points: &[DVec3]) -> TrunkSlice {
     if points.len() < FEWEST {
-        return Slice::default();
+        return TrunkSlice::default();
     }
     let reach = |part: &dyn Fn(&DVec3) -> f64| {
         let values = points.iter().map(part).filter(|part| *part > 0.0);
         quantile(values.collect(), INSIDE)
     };
-    Slice {
+    TrunkSlice {
         width: reach(&|at| at.x.abs()),
         front: reach(&|at| at.z),
         back: reach(&|at| -at.z),

@@ -32,7 +32,7 @@ mod upright;
 mod window;
 
 pub use align::Basis;
-pub use girth::{Girth, Skin};
+pub use girth::{Girth, TrunkSkin};
 pub use humanoid::Correction;
 pub use report::{ArmsInside, JointGuess, Report, Spread};
 pub use turn::shorter;
@@ -41,12 +41,12 @@ pub use upright::Unit;
 use crate::{assumption::Assumption, capture::Capture};
 use align::{Alignment, Bodies};
 use arms::{Body, Depths};
-use chain::Joints;
+use chain::LimbJoints;
 use effigy_core::{
     avatar::{Clip, Pose, Skeleton, motion::Player},
     io::file::FormatError,
 };
-use feet::Track;
+use feet::FootPath;
 use glam::{DAffine3, DVec3};
 use humanoid::{Humanoid, Leg, NamedPart};
 use report::Compared;
@@ -171,7 +171,7 @@ struct Match<'a> {
     /// Metres of the avatar a unit of the file.
     scale: f64,
     /// The capture's limbs as its motion shows them.
-    limbs: Vec<Joints>,
+    limbs: Vec<LimbJoints>,
     assumptions: Vec<Assumption>,
 }
 
@@ -179,7 +179,7 @@ struct Match<'a> {
 struct Way {
     /// Positions of its joints, metres of the avatar and y up.
     world: Vec<Vec<DVec3>>,
-    tracks: [Track; 2],
+    tracks: [FootPath; 2],
     contacts: [Vec<Range<usize>>; 2],
     /// Frames a second.
     rate: f64,
@@ -277,9 +277,9 @@ impl<'a> Match<'a> {
             })
             .collect();
         let tracks = tracks(&self.tree, &self.source, &world);
-        let grounds = tracks.each_ref().map(Track::ground);
+        let grounds = tracks.each_ref().map(FootPath::ground);
         let ground = grounds[0].min(grounds[1]);
-        let contacts = |track: &Track| track.contacts(rate, ground);
+        let contacts = |track: &FootPath| track.contacts(rate, ground);
         Way {
             contacts: tracks.each_ref().map(contacts),
             world,
@@ -337,14 +337,14 @@ impl<'a> Match<'a> {
 }
 
 /// The ways of both feet, metres of the avatar; none where there are no legs.
-fn tracks(tree: &Tree, source: &Humanoid, world: &[Vec<DVec3>]) -> [Track; 2] {
+fn tracks(tree: &Tree, source: &Humanoid, world: &[Vec<DVec3>]) -> [FootPath; 2] {
     let children = tree.children();
     [0, 1].map(|side| {
         let ball = source.legs().get(side).map(|leg| {
             let ball = leg.ball(&children).unwrap_or(leg.foot);
             world.iter().map(|at| at[ball]).collect()
         });
-        Track {
+        FootPath {
             ball: ball.unwrap_or_default(),
         }
     })

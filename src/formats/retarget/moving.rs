@@ -2,7 +2,7 @@
 //! against. An upper arm or a thigh is the first bone from the trunk outwards that is long and turns.
 
 use super::{
-    chain::{Chain, Joints, LONG},
+    chain::{Chain, LONG, LimbJoints},
     humanoid::Humanoid,
     tree::Tree,
 };
@@ -11,7 +11,7 @@ use crate::{assumption::Assumption, capture::Capture};
 /// The limbs of a body.
 pub struct Limbs {
     /// Left and right arm, left and right leg, if there are any.
-    pub joints: Vec<Joints>,
+    pub joints: Vec<LimbJoints>,
     /// Those that other joints were taken for.
     pub doubts: Vec<Assumption>,
 }
@@ -43,7 +43,7 @@ pub fn limbs(tree: &Tree, body: &Humanoid, capture: &Capture) -> Limbs {
 }
 
 /// Through a limb to what is furthest from its end.
-fn through(tree: &Tree, capture: &Capture, trunk: usize, taken: Joints) -> Chain {
+fn through(tree: &Tree, capture: &Capture, trunk: usize, taken: LimbJoints) -> Chain {
     let last = taken[2];
     let far = |joint: &usize| tree.rest[*joint].distance(tree.rest[last]);
     let end = (0..tree.len())
@@ -53,7 +53,7 @@ fn through(tree: &Tree, capture: &Capture, trunk: usize, taken: Joints) -> Chain
 }
 
 /// The joints of the limb where they are not those that were taken.
-fn other(chain: &Chain, taken: Joints) -> Option<Joints> {
+fn other(chain: &Chain, taken: LimbJoints) -> Option<LimbJoints> {
     let place = |joint: usize| chain.joints.iter().position(|own| *own == joint);
     let [upper, lower, end] = [place(taken[0])?, place(taken[1])?, place(taken[2])?];
     let own = chain.length(upper, lower);

@@ -2,8 +2,8 @@
 
 use super::{
     align::Basis,
-    chain::Joints,
-    feet::{Soles, Track},
+    chain::LimbJoints,
+    feet::{FootPath, Soles},
     humanoid::{Humanoid, Leg},
     tree,
     upright::Unit,
@@ -116,7 +116,7 @@ pub struct Compared<'a> {
     /// The capture's body.
     pub source: &'a Humanoid,
     /// Its limbs as its motion shows them.
-    pub limbs: &'a [Joints],
+    pub limbs: &'a [LimbJoints],
     /// Its joints, metres of the avatar and y up, a list a frame.
     pub world: &'a [Vec<DVec3>],
     /// The avatar.
@@ -130,7 +130,7 @@ pub struct Compared<'a> {
     /// Where each foot stands.
     pub contacts: &'a [Vec<Range<usize>>; 2],
     /// The ways of the capture's feet.
-    pub tracks: &'a [Track; 2],
+    pub tracks: &'a [FootPath; 2],
     /// Frames a second.
     pub rate: f64,
 }
@@ -158,7 +158,7 @@ struct Pair {
 }
 
 /// The long bones of the capture's limbs and of the avatar's.
-fn bones(source: &[Joints], target: &Humanoid) -> Vec<Pair> {
+fn bones(source: &[LimbJoints], target: &Humanoid) -> Vec<Pair> {
     let arms = target.arms.iter();
     let arms = arms.map(|arm| [arm.upper, arm.forearm, arm.hand]);
     let legs = target.legs().iter();

@@ -27,8 +27,8 @@ const LIKELY: usize = 4;
 /// For each joint the part that it is; None: the tree is no body's. `motion`: how the tree moves,
 /// where that is known.
 pub fn parts(tree: &Tree, motion: Option<&Capture>) -> Option<Vec<Option<Part>>> {
-    let shape = Shape::new(tree, motion);
-    let pairs: Vec<Option<Pair>> = (0..tree.len()).map(|joint| shape.pair(joint)).collect();
+    let shape = MeasuredTree::new(tree, motion);
+    let pairs: Vec<Option<LimbPair>> = (0..tree.len()).map(|joint| shape.pair(joint)).collect();
     // The hips: the fork with the longest pair of limbs and something that reaches up beside them.
     let mut hips: Vec<usize> = (0..tree.len())
         .filter(|&joint| shape.children[joint].len() >= 3)
@@ -45,17 +45,17 @@ fn side(is_left: bool) -> Side {
 
 /// Two limbs of the same length at one joint.
 #[derive(Clone, Copy, Debug)]
-struct Pair {
+struct LimbPair {
     limbs: [usize; 2],
     length: f64,
 }
 
-fn length_of(pair: &Option<Pair>) -> f64 {
+fn length_of(pair: &Option<LimbPair>) -> f64 {
     pair.map_or(0.0, |pair| pair.length)
 }
 
 /// A tree and the lengths in it.
-struct Shape<'a> {
+struct MeasuredTree<'a> {
     tree: &'a Tree,
     motion: Option<&'a Capture>,
     children: Vec<Vec<usize>>,
@@ -65,7 +65,7 @@ struct Shape<'a> {
     reach: Vec<f64>,
 }
 
-impl<'a> Shape<'a> {
+impl<'a> MeasuredTree<'a> {
     fn new(tree: &'a Tree, motion: Option<&'a Capture>) -> Self {
         let children = tree.children();
         let mut length: Vec<f64> = tree.offsets.iter().map(|offset| offset.length()).collect();
@@ -91,7 +91,7 @@ impl<'a> Shape<'a> {
     }
 
     /// The parts of a body with these hips.
-    fn parts(&self, hips: usize, pairs: &[Option<Pair>]) -> Option<Vec<Option<Part>>> {
+    fn parts(&self, hips: usize, pairs: &[Option<LimbPair>]) -> Option<Vec<Option<Part>>> {
         let Self { tree, reach, .. } = self;
         let furthest = |of: usize, but: &[usize]| {
             let others = self.children[of].iter().copied();
@@ -162,7 +162,7 @@ impl<'a> Shape<'a> {
     }
 
     /// The longest pair among a joint's children.
-    fn pair(&self, joint: usize) -> Option<Pair> {
+    fn pair(&self, joint: usize) -> Option<LimbPair> {
         let children = &self.children[joint];
         let pairs = children.iter().enumerate().flat_map(|(at, &a)| {
             let others = children[at + 1..].iter();
@@ -170,7 +170,7 @@ impl<'a> Shape<'a> {
         });
         pairs
             .filter(|limbs| self.alike(*limbs))
-            .map(|limbs| Pair {
+            .map(|limbs| LimbPair {
                 limbs,
                 length: self.reach[limbs[0]],
             })

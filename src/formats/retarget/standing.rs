@@ -31,14 +31,14 @@ const LIKELY: [DVec3; 3] = [DVec3::Y, DVec3::Z, DVec3::NEG_Y];
 const STEADY: f64 = 0.5;
 
 /// An axis that points up.
-pub struct Up {
+pub struct UpDirection {
     pub axis: DVec3,
     /// What the file leaves open, or says otherwise.
     pub assumption: Option<Assumption>,
 }
 
 /// The axis of a file that points up.
-pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> Up {
+pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> UpDirection {
     let standing = Standing::of(capture, humanoid);
     let rest = || {
         let poses = !capture.model_rest;
@@ -186,7 +186,7 @@ impl Standing {
     }
 
     /// An axis, or another that goes before it. Says which, where bodies stand along another.
-    fn instead(&self, axis: DVec3, other: Option<DVec3>, who: &str) -> Up {
+    fn instead(&self, axis: DVec3, other: Option<DVec3>, who: &str) -> UpDirection {
         let taken = other.unwrap_or(axis);
         let stand = other.or_else(|| self.best(&AXES).filter(|&best| self.mostly(best, axis)));
         let assumption = stand.map(|stand| Assumption {
@@ -199,7 +199,7 @@ impl Standing {
                 name(axis)
             ),
         });
-        Up {
+        UpDirection {
             axis: taken,
             assumption,
         }
@@ -207,7 +207,7 @@ impl Standing {
 
     /// The axis that files of a kind usually have: bodies that stand along another likely one go
     /// before it, along others only if they travel; who stands so in place lies.
-    fn usual(&self, axis: DVec3, whose: &str) -> Up {
+    fn usual(&self, axis: DVec3, whose: &str) -> UpDirection {
         let upright = |axis: DVec3| self.upright[place(axis)];
         let stand = self.share.iter().sum::<f64>() >= MOST;
         let usually = upright(axis) && self.share[place(axis)] >= HARDLY_ANY;
@@ -231,9 +231,9 @@ impl Standing {
     }
 
     /// The axis of a file that says nothing.
-    fn open(&self) -> Up {
+    fn open(&self) -> UpDirection {
         if let Some(axis) = self.best(&AXES) {
-            return Up {
+            return UpDirection {
                 axis,
                 assumption: None,
             };
@@ -243,7 +243,7 @@ impl Standing {
             .into_iter()
             .max_by(|a, b| along(a).total_cmp(&along(b)));
         let axis = nearest.unwrap_or(DVec3::Y);
-        Up {
+        UpDirection {
             axis,
             assumption: Some(Assumption {
                 what: "up axis",

@@ -5,7 +5,7 @@ use super::{
     fields::{Fields, Table},
     recognise::{is_motion, recognise, rotations},
     timeline::timeline,
-    track::{Part, Track, no_such_person},
+    track::{ChainRotations, Track, no_such_person},
 };
 use crate::{assumption::Assumption, capture::UpAxis, pickle::Value, smpl_joints::BODY};
 use effigy_core::io::file::FormatError;
@@ -88,7 +88,7 @@ pub fn from_romp(
         let frames = results.values();
         frames.ok_or_else(|| wrong(results.describe()))?.collect()
     };
-    let mut seen = Seen::new(AXES, results);
+    let mut seen = SeenFrames::new(AXES, results);
     let mut places = vec![];
     for (number, frame) in frames.into_iter().enumerate() {
         let mut fields = Fields::Dictionary(frame);
@@ -122,14 +122,14 @@ pub fn from_romp(
 }
 
 /// Frames in which a person was seen.
-struct Seen {
+struct SeenFrames {
     width: usize,
     numbers: Vec<f32>,
     frames: Vec<f32>,
     most_numbers: usize,
 }
 
-impl Seen {
+impl SeenFrames {
     fn new(width: usize, file: Value) -> Self {
         Self {
             width,
@@ -163,7 +163,7 @@ impl Seen {
             numbers: self.numbers,
             people: 1,
         };
-        let part = Part {
+        let part = ChainRotations {
             table: table.into(),
             matrices,
             first: 0,
@@ -227,7 +227,7 @@ fn from_tracker(root: Value, person: usize) -> Result<Track, FormatError> {
     people.sort_by_key(|identity| Reverse(times[identity]));
     let identity = people.get(person).copied();
     let identity = identity.ok_or_else(|| no_such_person(person, people.len()))?;
-    let mut seen = Seen::new(MATRICES, root);
+    let mut seen = SeenFrames::new(MATRICES, root);
     for (number, frame) in frames.iter().enumerate() {
         let Some(at) = identities(frame)
             .iter()

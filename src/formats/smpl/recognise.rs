@@ -4,7 +4,7 @@ use super::{
     body::Family,
     fields::{Fields, Table},
     timeline::timeline,
-    track::{Anchor, Part, Track},
+    track::{Anchor, ChainRotations, Track},
 };
 use crate::{assumption::Assumption, capture::UpAxis, smpl_joints::BODY};
 use effigy_core::{avatar::limits, io::file::FormatError};
@@ -140,7 +140,7 @@ fn camera(track: &mut Track, what: &str) {
 
 impl Track {
     /// A motion of these rotations alone.
-    pub fn of_parts(family: Family, parts: Vec<Part>) -> Self {
+    pub fn of_parts(family: Family, parts: Vec<ChainRotations>) -> Self {
         Self {
             family,
             parts,
@@ -175,11 +175,11 @@ fn rows(
     let smpl_x = poses.width == 165;
     let poses = Rc::new(poses);
     let parts = if poses.width == 156 {
-        let hands = Part::axes(poses.clone(), BODY, LEFT_HAND.start..RIGHT_HAND.end);
-        vec![Part::axes(poses, 0, 0..BODY), hands]
+        let hands = ChainRotations::axes(poses.clone(), BODY, LEFT_HAND.start..RIGHT_HAND.end);
+        vec![ChainRotations::axes(poses, 0, 0..BODY), hands]
     } else {
         let joints = if smpl_x { RIGHT_HAND.end } else { BODY };
-        vec![Part::axes(poses, 0, 0..joints)]
+        vec![ChainRotations::axes(poses, 0, 0..joints)]
     };
     let family = if smpl_x { Family::SmplX } else { Family::Smpl };
     let mut track = Track::of_parts(family, parts);
@@ -277,7 +277,7 @@ fn matrices(fields: &mut Fields) -> Result<Track, FormatError> {
     };
     let table = fields.table(&POSE_MATRICES, &[MATRICES])?;
     let table = need(table, POSE_MATRICES[0], fields)?;
-    let part = Part {
+    let part = ChainRotations {
         table: table.into(),
         matrices: true,
         first: 0,
@@ -315,7 +315,10 @@ fn arguments(fields: &mut Fields) -> Result<Track, FormatError> {
     let smpl_x = smpl_x && body.width == 63;
     let root = fields.table(&ROOT, &[3])?;
     let root = need(root, ROOT[0], fields)?;
-    let mut parts = vec![Part::axes(root, 0, 0..1), Part::axes(body, 0, 1..BODY)];
+    let mut parts = vec![
+        ChainRotations::axes(root, 0, 0..1),
+        ChainRotations::axes(body, 0, 1..BODY),
+    ];
     let face: [(&[&str], usize, Range<usize>); 4] = [
         (&JAW_POSE, 3, JAW..LEFT_EYE),
         (&LEFT_EYE_POSE, 3, LEFT_EYE..LEFT_EYE + 1),
@@ -327,7 +330,7 @@ fn arguments(fields: &mut Fields) -> Result<Track, FormatError> {
             .last()
             .is_some_and(|part| part.joints.end <= joints.start);
         if let Some(table) = fields.table(names, &[width])?.filter(|_| free) {
-            parts.push(Part::axes(table, 0, joints));
+            parts.push(ChainRotations::axes(table, 0, joints));
         }
     }
     let mut track = Track::of_parts(if smpl_x { Family::SmplX } else { Family::Smpl }, parts);
@@ -351,7 +354,7 @@ fn hands(fields: &mut Fields, track: &mut Track) -> Result<(), FormatError> {
         match fields.table(&[name], &[width]) {
             Ok(Some(table)) if !(found && width == 90) => {
                 found = true;
-                track.parts.push(Part::axes(table, 0, joints));
+                track.parts.push(ChainRotations::axes(table, 0, joints));
             }
             Ok(_) => {}
             Err(_) => track.assumptions.push(Assumption {

@@ -28,14 +28,14 @@ pub struct Timeline {
 
 /// A row of the file, and when the person was seen.
 #[derive(Clone, Copy)]
-struct Seen {
+struct SeenRow {
     row: usize,
     frame: i64,
 }
 
 /// Puts frames where their numbers say; of rows of one number the last. `numbers`: not falling.
 pub fn timeline(numbers: &[f32], name: &str) -> Result<Timeline, FormatError> {
-    let mut rows: Vec<Seen> = Vec::with_capacity(numbers.len());
+    let mut rows: Vec<SeenRow> = Vec::with_capacity(numbers.len());
     for (row, &number) in numbers.iter().enumerate() {
         if number.fract() != 0.0 {
             return Err(FormatError::metadata(
@@ -54,7 +54,7 @@ pub fn timeline(numbers: &[f32], name: &str) -> Result<Timeline, FormatError> {
                     "numbers of frames that rise",
                 ));
             }
-            _ => rows.push(Seen { row, frame }),
+            _ => rows.push(SeenRow { row, frame }),
         }
     }
     let mut longest = 0..0;
@@ -73,7 +73,7 @@ pub fn timeline(numbers: &[f32], name: &str) -> Result<Timeline, FormatError> {
     let left_out = numbers.len() - longest.len();
     let mut slots = Vec::new();
     for at in longest.clone() {
-        let Seen { row, frame } = rows[at];
+        let SeenRow { row, frame } = rows[at];
         slots.push(Slot {
             before: row,
             after: row,

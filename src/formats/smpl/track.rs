@@ -20,7 +20,7 @@ const RATE: f64 = 30.0;
 const MATRIX_SLACK: f64 = 1e-2;
 
 /// Rotations of consecutive joints.
-pub struct Part {
+pub struct ChainRotations {
     /// Axis-angle in radians, or matrices in rows.
     pub table: Rc<Table>,
     pub matrices: bool,
@@ -43,7 +43,7 @@ pub enum Anchor {
 pub struct Track {
     pub family: Family,
     /// In the order of their joints, which no two share.
-    pub parts: Vec<Part>,
+    pub parts: Vec<ChainRotations>,
     /// Width 3, metres.
     pub translation: Option<Table>,
     pub anchor: Anchor,
@@ -55,7 +55,7 @@ pub struct Track {
     pub assumptions: Vec<Assumption>,
 }
 
-impl Part {
+impl ChainRotations {
     /// Axis-angle rotations of some of a row's joints.
     pub fn axes(table: impl Into<Rc<Table>>, first: usize, joints: Range<usize>) -> Self {
         Self {

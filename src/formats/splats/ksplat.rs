@@ -45,7 +45,7 @@ pub fn is_ksplat(start: &[u8], length: u64) -> bool {
 }
 
 /// Where a section's numbers are, and what they count in.
-struct Section<'a> {
+struct SplatSection<'a> {
     count: usize,
     compression: u16,
     degree: usize,
@@ -130,7 +130,7 @@ pub fn read(bytes: &[u8]) -> Result<Splats, FormatError> {
 
 /// A section, and the byte after it.
 struct Placed<'a> {
-    section: Section<'a>,
+    section: SplatSection<'a>,
     end: u64,
 }
 
@@ -170,7 +170,7 @@ fn section<'a>(
     };
     Ok(Placed {
         end: rows_at + width * count,
-        section: Section {
+        section: SplatSection {
             count: count as usize,
             compression,
             degree,
@@ -187,7 +187,7 @@ fn section<'a>(
 
 /// The bucket of each splat in turn.
 struct Buckets<'a> {
-    section: &'a Section<'a>,
+    section: &'a SplatSection<'a>,
     index: usize,
     left: u64,
 }
@@ -209,7 +209,7 @@ impl Buckets<'_> {
     }
 }
 
-fn add(splats: &mut Splats, section: &Section, extremes: [f32; 2]) -> Result<(), FormatError> {
+fn add(splats: &mut Splats, section: &SplatSection, extremes: [f32; 2]) -> Result<(), FormatError> {
     if section.count == 0 {
         return Ok(());
     }

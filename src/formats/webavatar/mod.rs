@@ -33,9 +33,9 @@ mod skeleton;
 mod write;
 
 pub use poses::{POSES_RATE, capture_poses, read_poses, write_poses};
-pub use read::{Imported, from_bytes};
+pub use read::{ForeignAvatar, from_bytes};
 pub use skeleton::is_own_skeleton;
-pub use write::{Loss, to_bytes};
+pub use write::{LeftOut, to_bytes};
 
 use effigy_core::avatar::{Activation, ShCoefficients};
 

@@ -31,7 +31,7 @@ const LEAST_TEXT: usize = 6;
 const MAX_NEUTRAL: usize = 1 << 22;
 
 #[derive(Serialize, Deserialize)]
-struct Frame {
+struct PoseRecord {
     /// Whatever it is: frames follow one another.
     #[serde(deserialize_with = "any")]
     frame_id: usize,
@@ -67,37 +67,37 @@ enum Turn {
 }
 
 /// A number, or a row of three.
-enum Entry {
+enum NumberOrRow {
     Number(f64),
     Row([f64; 3]),
 }
 
 // Serde's own way to tell them apart reads whatever there is first, however long.
-impl<'de> Deserialize<'de> for Entry {
+impl<'de> Deserialize<'de> for NumberOrRow {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Either;
 
         impl<'de> Visitor<'de> for Either {
-            type Value = Entry;
+            type Value = NumberOrRow;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str("a number, or three")
             }
 
-            fn visit_f64<E: Error>(self, number: f64) -> Result<Entry, E> {
-                Ok(Entry::Number(number))
+            fn visit_f64<E: Error>(self, number: f64) -> Result<NumberOrRow, E> {
+                Ok(NumberOrRow::Number(number))
             }
 
-            fn visit_i64<E: Error>(self, number: i64) -> Result<Entry, E> {
-                Ok(Entry::Number(number as f64))
+            fn visit_i64<E: Error>(self, number: i64) -> Result<NumberOrRow, E> {
+                Ok(NumberOrRow::Number(number as f64))
             }
 
-            fn visit_u64<E: Error>(self, number: u64) -> Result<Entry, E> {
-                Ok(Entry::Number(number as f64))
+            fn visit_u64<E: Error>(self, number: u64) -> Result<NumberOrRow, E> {
+                Ok(NumberOrRow::Number(number as f64))
             }
 
-            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Entry, A::Error> {
-                <[f64; 3]>::deserialize(SeqAccessDeserializer::new(list)).map(Entry::Row)
+            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<NumberOrRow, A::Error> {
+                <[f64; 3]>::deserialize(SeqAccessDeserializer::new(list)).map(NumberOrRow::Row)
             }
         }
 
@@ -107,9 +107,17 @@ impl<'de> Deserialize<'de> for Entry {
 
 impl<'de> Deserialize<'de> for Turn {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match <[Entry; 3]>::deserialize(deserializer)? {
-            [Entry::Number(x), Entry::Number(y), Entry::Number(z)] => Ok(Self::Axis([x, y, z])),
-            [Entry::Row(x), Entry::Row(y), Entry::Row(z)] => Ok(Self::Matrix([x, y, z])),
+        match <[NumberOrRow; 3]>::deserialize(deserializer)? {
+            [
+                NumberOrRow::Number(x),
+                NumberOrRow::Number(y),
+                NumberOrRow::Number(z),
+            ] => Ok(Self::Axis([x, y, z])),
+            [
+                NumberOrRow::Row(x),
+                NumberOrRow::Row(y),
+                NumberOrRow::Row(z),
+            ] => Ok(Self::Matrix([x, y, z])),
             _ => Err(D::Error::custom("numbers beside rows of a rotation")),
         }
     }
@@ -131,7 +139,7 @@ impl Turn {
 }
 
 /// The frames of a file, joined as they are read: as text they are shorter.
-struct Frames<'a> {
+struct PoseRecords<'a> {
     /// Of the root joint at rest.
     root: DVec3,
     clip: &'a mut Clip,
@@ -139,8 +147,8 @@ struct Frames<'a> {
     fault: Option<FormatError>,
 }
 
-impl Frames<'_> {
-    fn add(&mut self, frame: &Frame) -> Result<(), FormatError> {
+impl PoseRecords<'_> {
+    fn add(&mut self, frame: &PoseRecord) -> Result<(), FormatError> {
         let clip = &mut *self.clip;
         let at = clip.translation.len();
         let field = |name: &str| format!("[{at}].{name}");
@@ -201,7 +209,7 @@ fn neutral(frames: usize, expression: usize) -> Result<usize, FormatError> {
     Ok(numbers)
 }
 
-impl<'de> Visitor<'de> for &mut Frames<'_> {
+impl<'de> Visitor<'de> for &mut PoseRecords<'_> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -289,7 +297,7 @@ pub fn read_poses(
         expression: vec![],
         expression_len: 0,
     };
-    let mut frames = Frames {
+    let mut frames = PoseRecords {
         root: rest.map_or(DVec3::ZERO, |rest| DVec3::from(rest.map(f64::from))),
         clip: &mut clip,
         fault: None,
@@ -382,7 +390,7 @@ pub fn write_poses(clip: &Clip) -> String {
     let frame = |at: usize| {
         let pose = clip.frame(at);
         let rotation = |place: &Option<usize>| place.map_or(DVec3::ZERO, |k| pose.rotation[k]);
-        Frame {
+        PoseRecord {
             frame_id: at,
             pose: places
                 .iter()
@@ -395,7 +403,7 @@ pub fn write_poses(clip: &Clip) -> String {
             }),
         }
     };
-    let frames: Vec<Frame> = (0..clip.frames()).map(frame).collect();
+    let frames: Vec<PoseRecord> = (0..clip.frames()).map(frame).collect();
     serde_json::to_string(&frames).unwrap_or_default()
 }
 

@@ -33,7 +33,7 @@ const PADDED_EXPRESSION: usize = 64;
 
 /// An avatar of another program, and what the file did not say.
 #[derive(Clone, Debug)]
-pub struct Imported {
+pub struct ForeignAvatar {
     /// The avatar.
     pub avatar: Avatar,
     /// What was assumed or derived.
@@ -44,7 +44,11 @@ pub struct Imported {
 ///
 /// # Errors
 /// When an array is missing or has a wrong type, shape or number, or the archive is none.
-pub fn from_bytes(bytes: &[u8], name: &str, options: &Options) -> Result<Imported, FormatError> {
+pub fn from_bytes(
+    bytes: &[u8],
+    name: &str,
+    options: &Options,
+) -> Result<ForeignAvatar, FormatError> {
     let mut file = Npz::from_bytes(bytes)?;
     let positions = file.take("_xyz")?;
     let count = positions.dimension(0)?;
@@ -106,7 +110,7 @@ pub fn from_bytes(bytes: &[u8], name: &str, options: &Options) -> Result<Importe
     };
     avatar.check()?;
     let assumptions = assumptions(&avatar, options, networks.padded, fit.deviation);
-    Ok(Imported {
+    Ok(ForeignAvatar {
         avatar,
         assumptions,
     })
@@ -430,12 +434,12 @@ fn read_opacity(file: &mut Npz, order: &Order) -> Result<Vec<u8>, FormatError> {
 }
 
 /// Four joints a Gaussian, and their weights.
-struct Skin {
+struct WeighedJoints {
     joint: Vec<[u8; 4]>,
     weight: Vec<[u8; 4]>,
 }
 
-fn read_skin(file: &mut Npz, order: &Order) -> Result<Skin, FormatError> {
+fn read_skin(file: &mut Npz, order: &Order) -> Result<WeighedJoints, FormatError> {
     let joint = file.take("weights_idx")?;
     let weight = file.take("weights_val")?;
     for array in [&joint, &weight] {
@@ -450,7 +454,7 @@ fn read_skin(file: &mut Npz, order: &Order) -> Result<Skin, FormatError> {
             with_sum(*weights).ok_or_else(|| tensor("weights_val", found(), "a weight above 0"))?;
         rounded.push(whole);
     }
-    Ok(Skin {
+    Ok(WeighedJoints {
         joint: joints.iter().map(|row| row.map(|j| j as u8)).collect(),
         weight: rounded,
     })
@@ -494,11 +498,11 @@ fn read_rows<const C: usize>(
     index.expect_shape(&[rows])?;
     let array: Array = file.take(basis)?;
     array.expect_shape(&[rows, C, basis_len])?;
-    let mut places: Vec<Place> = index
+    let mut places: Vec<RowTarget> = index
         .integers(order.len())?
         .iter()
         .enumerate()
-        .map(|(row, &gaussian)| Place {
+        .map(|(row, &gaussian)| RowTarget {
             gaussian: order.new[gaussian as usize],
             row,
         })
@@ -536,7 +540,7 @@ fn read_rows<const C: usize>(
 }
 
 /// Where a row of the file goes.
-struct Place {
+struct RowTarget {
     /// The new index of its Gaussian.
     gaussian: u32,
     /// Its index in the file.

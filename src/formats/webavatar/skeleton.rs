@@ -1,6 +1,6 @@
 //! SMPL-X's skeleton in the pose that the exporter calls canonical.
 
-use crate::smpl_joints::{Joint, SMPL_X};
+use crate::smpl_joints::{SMPL_X, SmplJoint};
 use effigy_core::avatar::Skeleton;
 
 /// How far outwards both hips turn in the canonical pose of the exporter, degrees.
@@ -40,6 +40,6 @@ pub fn is_own_skeleton(skeleton: &Skeleton) -> bool {
 
 /// For each joint of SMPL-X, which of a skeleton's joints it is, by name.
 pub fn places(skeleton: &Skeleton) -> Vec<Option<usize>> {
-    let place = |joint: &Joint| skeleton.name.iter().position(|name| name == joint.name);
+    let place = |joint: &SmplJoint| skeleton.name.iter().position(|name| name == joint.name);
     SMPL_X.iter().map(place).collect()
 }

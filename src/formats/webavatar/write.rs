@@ -18,7 +18,7 @@ const CANONICAL_SLACK: f32 = 1e-3;
 
 /// Something of an avatar that the format has no place for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Loss {
+pub enum LeftOut {
     /// Training poses, onto which poses are projected.
     PoseSpace,
     /// Who made it and on what terms.
@@ -31,32 +31,32 @@ pub enum Loss {
 /// # Errors
 /// When the avatar is none that the format can hold: another skeleton or canonical pose than
 /// SMPL-X's, other inputs, or hidden layers that are not leaky.
-pub fn to_bytes(avatar: &Avatar) -> Result<(Vec<u8>, Vec<Loss>), FormatError> {
+pub fn to_bytes(avatar: &Avatar) -> Result<(Vec<u8>, Vec<LeftOut>), FormatError> {
     avatar.check()?;
-    let joints = Joints::new(avatar)?;
+    let joints = SmplxJoints::new(avatar)?;
     check_networks(avatar)?;
     let bytes = write(avatar, &joints).map_err(|error| {
         FormatError::container(format!("an archive that can't be made: {error}"), "a zip")
     })?;
     let mut losses = Vec::new();
     if avatar.inputs.pose_space.is_some() || avatar.inputs.expression_space.is_some() {
-        losses.push(Loss::PoseSpace);
+        losses.push(LeftOut::PoseSpace);
     }
     if !avatar.credit.is_empty() {
-        losses.push(Loss::Credit);
+        losses.push(LeftOut::Credit);
     }
     Ok((bytes, losses))
 }
 
 /// Where an avatar's joints are among SMPL-X's.
-struct Joints {
+struct SmplxJoints {
     /// SMPL-X's joint of each of the avatar's.
     place: Vec<u8>,
     /// Of SMPL-X's joints, in the rest pose, metres.
     rest: Vec<[f16; 3]>,
 }
 
-impl Joints {
+impl SmplxJoints {
     fn new(avatar: &Avatar) -> Result<Self, FormatError> {
         let skeleton = &avatar.skeleton;
         let own = places(skeleton);
@@ -134,7 +134,7 @@ fn check_networks(avatar: &Avatar) -> Result<(), FormatError> {
     Ok(())
 }
 
-fn write(avatar: &Avatar, joints: &Joints) -> Result<Vec<u8>, zip::result::ZipError> {
+fn write(avatar: &Avatar, joints: &SmplxJoints) -> Result<Vec<u8>, zip::result::ZipError> {
     let own = &avatar.gaussians;
     let (count, parts, nodes) = (own.len(), avatar.parts.len(), avatar.nodes.len());
     let basis = avatar.basis_len();

@@ -44,7 +44,7 @@ pub fn measure_case(
         }
     }
     let (memory_used, memory_allocated) = gpu.memory();
-    let mut truth = Truth::new(case, task, setting, case == BenchCase::Flicker);
+    let mut truth = CaseReference::new(case, task, setting, case == BenchCase::Flicker);
     let (checked, flicker) = truth.compare(&mut renderer, &scenes, &mut told)?;
     drop(renderer);
     let counters = count(gpu, task, setting, case, &scenes, &mut told)?;
@@ -88,7 +88,7 @@ pub fn measure_case(
 }
 
 /// What the reference says of a case's scenes, each thing computed once for all settings.
-pub struct Truth<'a> {
+pub struct CaseReference<'a> {
     case: BenchCase,
     task: &'a BenchTask<'a>,
     bounds: AvatarBounds,
@@ -97,7 +97,7 @@ pub struct Truth<'a> {
     flicker: FlickerTruth<'a>,
 }
 
-impl<'a> Truth<'a> {
+impl<'a> CaseReference<'a> {
     /// Of a task's avatar with all its rows. `per_pixel`: see [`FlickerTruth::new`].
     pub fn new(
         case: BenchCase,

@@ -3,7 +3,7 @@
 
 use super::case::{BenchCase, BenchTask};
 use crate::{
-    chart::{Axis, BLUE, Chart, ChartError, Corner, Line, Panel, RED, Style},
+    chart::{Axis, BLUE, Chart, ChartError, Corner, Line, LineStyle, Panel, RED},
     report::{ReadError, Setup, present_skip_names, read_report},
     setting::RenderSetting,
     table::{Comparison, TableRow},
@@ -116,7 +116,7 @@ pub fn size_chart(reports: &[(&str, &BenchReport)], title: String) -> Result<Cha
             };
             let mut points: Vec<_> = report.cases.iter().filter_map(point).collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
-            Line::new(*name, [BLUE, RED][at % 2], Style::Dotted, points)
+            Line::new(*name, [BLUE, RED][at % 2], LineStyle::Dotted, points)
         };
         let lines: Vec<Line> = reports.iter().enumerate().map(line).collect();
         let points = lines.iter().flat_map(|line| &line.points);

@@ -9,12 +9,13 @@
 use super::{
     case::{BenchCase, BenchScene, BenchTask, RATE, scenes},
     frames::{BenchDevice, BenchRenderer, Progress, Result},
-    measure::{self, Truth},
+    measure::{self, CaseReference},
     report::{ErrorReport, SweepPoint, SweepReport},
 };
 use crate::{
     chart::{
-        Axis, BLUE, Chart, ChartError, GREEN, INK, Line, NamedPoint, ORANGE, Panel, RED, Rgb, Style,
+        Axis, BLUE, Chart, ChartError, GREEN, INK, Line, LineStyle, NamedPoint, ORANGE, Panel, RED,
+        Rgb,
     },
     setting::RenderSetting,
 };
@@ -202,7 +203,7 @@ pub fn run_sweep(
     progress: Progress,
     keep: &mut dyn FnMut(SweepReport),
 ) -> Result<()> {
-    let mut truth = Truth::new(sweep.case, task, &sweep.base, false);
+    let mut truth = CaseReference::new(sweep.case, task, &sweep.base, false);
     // Settings that the device can't draw with, and why.
     let mut failed = Vec::new();
     // Points, the base setting's first in each group.
@@ -294,7 +295,7 @@ impl Entry {
         task: &BenchTask,
         sweep: &Sweep,
         base: &[Vec<f64>],
-        truth: &mut Truth,
+        truth: &mut CaseReference,
         progress: Progress,
     ) -> Result<SweepPoint> {
         let title = format!("{} {}", self.parameter, self.value);
@@ -423,7 +424,7 @@ impl SweepReport {
         let x = Axis::around(x, times, 1.0 / 12.0, 0.02)?;
         let y = Axis::around(y, heights, 1.0 / 12.0, 0.5)?;
         let mut panel = Panel::new(x, y);
-        panel.lines = vec![Line::new("", RED, Style::Steps, front)];
+        panel.lines = vec![Line::new("", RED, LineStyle::Steps, front)];
         panel.points = points.iter().map(named).collect();
         Ok(Chart {
             title,

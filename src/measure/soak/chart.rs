@@ -2,7 +2,7 @@
 
 use super::report::{Second, SoakReport};
 use crate::{
-    chart::{Axis, BLUE, Chart, ChartError, Corner, GREEN, GREY, Line, Panel, RED, Rgb, Style},
+    chart::{Axis, BLUE, Chart, ChartError, Corner, GREEN, GREY, Line, LineStyle, Panel, RED, Rgb},
     report::chart_title,
 };
 
@@ -38,12 +38,12 @@ pub fn chart(report: &SoakReport) -> Result<Chart, ChartError> {
     let mut steps = Axis::new("governor's step", [-0.5, 1.35 * last]);
     steps.most = Some(report.ladder.len().min(12));
     let is_hot = !headroom.is_empty();
-    let mut lines = vec![Line::new(step, GREEN, Style::Steps, rungs)];
+    let mut lines = vec![Line::new(step, GREEN, LineStyle::Steps, rungs)];
     if is_hot {
         let name = "headroom used: 1 is where the clock is taken away";
         let line = Line {
             on_right: true,
-            ..Line::new(name, HEAT, Style::Solid, headroom)
+            ..Line::new(name, HEAT, LineStyle::Solid, headroom)
         };
         lines.insert(0, line);
     }
@@ -54,9 +54,14 @@ pub fn chart(report: &SoakReport) -> Result<Chart, ChartError> {
             Panel {
                 share: 0.6,
                 lines: vec![
-                    Line::new(promise, GREY, Style::Thin, vec![(0.0, rate), (end, rate)]),
-                    Line::new(drawn, BLUE, Style::Solid, rates),
-                    Line::new(drops, RED, Style::Dots, dropped),
+                    Line::new(
+                        promise,
+                        GREY,
+                        LineStyle::Thin,
+                        vec![(0.0, rate), (end, rate)],
+                    ),
+                    Line::new(drawn, BLUE, LineStyle::Solid, rates),
+                    Line::new(drops, RED, LineStyle::Dots, dropped),
                 ],
                 legend: Some(Corner::UpperLeft),
                 ..Panel::new(

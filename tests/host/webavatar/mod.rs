@@ -11,7 +11,7 @@ use effigy_core::{
 use effigy_formats::{
     read::{self, ClipOptions, Source},
     splats::Nothing,
-    webavatar::{self, ColorCode, Imported, Options},
+    webavatar::{self, ColorCode, ForeignAvatar, Options},
 };
 use glam::DVec3;
 use serde::Deserialize;
@@ -36,7 +36,7 @@ fn shown() -> Vec<Shown> {
     serde_json::from_str(text).unwrap()
 }
 
-fn small() -> Imported {
+fn small() -> ForeignAvatar {
     webavatar::from_bytes(SMALL, "small", &Options::default()).unwrap()
 }
 
@@ -88,7 +88,7 @@ fn a_model_shows_what_numpy_computes_from_the_documented_equations() {
 fn widths_orders_of_memory_and_padding_change_nothing() {
     let wide = webavatar::from_bytes(WIDE, "small", &Options::default()).unwrap();
     assert_eq!(wide.avatar, small().avatar);
-    let input = |imported: &Imported| {
+    let input = |imported: &ForeignAvatar| {
         let asked = |a: &&effigy_formats::assumption::Assumption| a.what == "networks' input";
         imported
             .assumptions

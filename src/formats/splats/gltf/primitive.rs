@@ -4,7 +4,7 @@ use super::EXTENSION;
 use crate::{
     assumption::Assumption,
     gltf::{
-        Document, Source,
+        Document, GltfFile,
         document::{Accessor, Packed, Primitive, Shape, Splatting},
     },
     splats::{logit, plausible, spz},
@@ -45,7 +45,7 @@ pub fn views(document: &Document, primitive: &Primitive) -> Vec<u32> {
 ///
 /// # Errors
 /// When an attribute is missing or is not what the extension says.
-pub fn read(source: &Source, primitive: &Primitive) -> Result<Found, FormatError> {
+pub fn read(source: &GltfFile, primitive: &Primitive) -> Result<Found, FormatError> {
     let mut assumptions = vec![];
     if let Some(splatting) = &primitive.extensions.splatting {
         assumptions = check(splatting)?;
@@ -82,7 +82,7 @@ fn check(splatting: &Splatting) -> Result<Vec<Assumption>, FormatError> {
 }
 
 /// The names that attributes have in a version of the extension.
-struct Names {
+struct AttributeNames {
     rotation: String,
     scale: String,
     /// None: opacities and colours are in `COLOR_0`, as in the draft of 2025.
@@ -91,7 +91,7 @@ struct Names {
     harmonics: String,
 }
 
-impl Names {
+impl AttributeNames {
     fn of(primitive: &Primitive) -> Self {
         let has = |name: &str| primitive.attributes.contains_key(name);
         let prefix = format!("{EXTENSION}:");
@@ -112,7 +112,7 @@ impl Names {
 
 /// The attributes of a primitive.
 struct Attributes<'a> {
-    source: &'a Source<'a>,
+    source: &'a GltfFile<'a>,
     primitive: &'a Primitive,
     count: u64,
 }
@@ -145,6 +145,40 @@ impl Attributes<'_> {
         }
         self.rows(COLOR)
     }
+
+    /// The coefficients of every whole degree from 1 on. `prefix`: begins the attributes' names.
+    fn harmonics(&self, prefix: &str) -> Result<Harmonics, FormatError> {
+        let mut degree = 0;
+        let mut columns = vec![];
+        for next in 1..=3 {
+            let names: Vec<String> = (0..2 * next + 1)
+                .map(|k| format!("{prefix}SH_DEGREE_{next}_COEF_{k}"))
+                .collect();
+            if !self.primitive.attributes.contains_key(&names[0]) {
+                break;
+            }
+            for name in &names {
+                columns.push(self.rows::<3>(name)?);
+            }
+            degree = next;
+        }
+        let count = self.count as usize;
+        let mut coefficient = Vec::with_capacity(functions_of(degree) * count);
+        for k in 0..count {
+            coefficient.extend(columns.iter().map(|column| column[k]));
+        }
+        Ok(Harmonics {
+            degree,
+            coefficient,
+        })
+    }
+}
+
+/// Spherical harmonics of colours.
+struct Harmonics {
+    degree: usize,
+    /// Those of a splat follow each other.
+    coefficient: Vec<[f32; 3]>,
 }
 
 /// The attribute of colours that points have without the extension.
@@ -165,8 +199,8 @@ fn find(primitive: &Primitive, name: &str) -> Result<u32, FormatError> {
     })
 }
 
-fn plain(source: &Source, primitive: &Primitive) -> Result<Found, FormatError> {
-    let names = Names::of(primitive);
+fn plain(source: &GltfFile, primitive: &Primitive) -> Result<Found, FormatError> {
+    let names = AttributeNames::of(primitive);
     let position = find(primitive, "POSITION")?;
     let count = source.accessor(position)?.count;
     plausible::check(count, source.size() as u64)?;
@@ -198,24 +232,10 @@ fn plain(source: &Source, primitive: &Primitive) -> Result<Found, FormatError> {
             all.colors()?.into_iter().map(split).unzip()
         }
     };
-    let mut degree = 0;
-    let mut columns = vec![];
-    for next in 1..=3 {
-        let names: Vec<String> = (0..2 * next + 1)
-            .map(|k| format!("{}SH_DEGREE_{next}_COEF_{k}", names.harmonics))
-            .collect();
-        if !primitive.attributes.contains_key(&names[0]) {
-            break;
-        }
-        for name in &names {
-            columns.push(all.rows::<3>(name)?);
-        }
-        degree = next;
-    }
-    let mut harmonics = Vec::with_capacity(functions_of(degree) * count as usize);
-    for k in 0..count as usize {
-        harmonics.extend(columns.iter().map(|column| column[k]));
-    }
+    let Harmonics {
+        degree,
+        coefficient,
+    } = all.harmonics(&names.harmonics)?;
     let splats = Splats {
         position: all.rows("POSITION")?,
         rotation: rotation
@@ -230,7 +250,7 @@ fn plain(source: &Source, primitive: &Primitive) -> Result<Found, FormatError> {
         opacity,
         color,
         degree,
-        harmonics,
+        harmonics: coefficient,
         up: Up::Y,
         filter: Filter::DEFAULT,
     };

@@ -2,12 +2,12 @@
 
 use super::{
     EXTENSION, primitive,
-    scene::{self, Placed},
+    scene::{self, PlacedMesh},
 };
 use crate::{
     assumption::Assumption,
     gltf::{
-        self, Document, Source,
+        self, Document, GltfFile,
         document::{Primitive, Scenes},
         entry,
     },
@@ -50,7 +50,7 @@ pub fn read(bytes: &[u8], beside: &mut dyn Beside) -> Result<Found, FormatError>
     check_extensions(&scenes.extensions_required)?;
     let mut used = BTreeSet::new();
     let mut parts: Vec<(&Primitive, DAffine3)> = vec![];
-    for Placed { mesh, place } in scene::meshes(&document, &scenes)? {
+    for PlacedMesh { mesh, place } in scene::meshes(&document, &scenes)? {
         let mesh = entry(&scenes.meshes, mesh, "mesh")?;
         for primitive in mesh.primitives.iter().filter(|p| primitive::is_splats(p)) {
             for view in primitive::views(&document, primitive) {
@@ -68,7 +68,7 @@ pub fn read(bytes: &[u8], beside: &mut dyn Beside) -> Result<Found, FormatError>
     }
     let is_used = |buffer| used.contains(&buffer);
     let mut beside = |name: &str, most: u64| beside.file(name, most);
-    let source = Source::read(document, file.binary, is_used, &mut beside)?;
+    let source = GltfFile::read(document, file.binary, is_used, &mut beside)?;
     let mut all: Option<Splats> = None;
     let mut assumptions: Vec<Assumption> = vec![];
     // Nodes put tiles of the globe at its centre's distance.

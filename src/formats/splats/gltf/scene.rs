@@ -11,7 +11,7 @@ use effigy_core::{
 };
 
 /// A mesh in the scene's space.
-pub struct Placed {
+pub struct PlacedMesh {
     pub mesh: u32,
     pub place: DAffine3,
 }
@@ -20,7 +20,7 @@ pub struct Placed {
 ///
 /// # Errors
 /// When an index leads nowhere, or a node has two parents.
-pub fn meshes(document: &Document, scenes: &Scenes) -> Result<Vec<Placed>, FormatError> {
+pub fn meshes(document: &Document, scenes: &Scenes) -> Result<Vec<PlacedMesh>, FormatError> {
     let count = document.nodes.len();
     let roots: Vec<u32> = match scenes.scenes.get(scenes.scene.unwrap_or_default()) {
         Some(scene) => scene.nodes.clone(),
@@ -50,7 +50,7 @@ pub fn meshes(document: &Document, scenes: &Scenes) -> Result<Vec<Placed>, Forma
         }
         let place = parent * of(node)?;
         if let Some(mesh) = node.mesh {
-            placed.push(Placed { mesh, place });
+            placed.push(PlacedMesh { mesh, place });
         }
         waiting.extend(node.children.iter().rev().map(|&child| (child, place)));
     }

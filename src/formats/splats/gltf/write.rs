@@ -10,14 +10,14 @@ const UNSIGNED_BYTE: u32 = 5121;
 
 /// The attributes' bytes, and what the document says of them.
 #[derive(Default)]
-struct Parts {
+struct AttributeBytes {
     binary: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
     attributes: serde_json::Map<String, Value>,
 }
 
-impl Parts {
+impl AttributeBytes {
     fn add(&mut self, name: &str, bytes: Vec<u8>, mut accessor: Value) {
         let index = self.views.len();
         self.views.push(json!({
@@ -44,7 +44,7 @@ impl Parts {
 /// The bytes of a file, with y up.
 pub fn write(splats: Splats) -> Vec<u8> {
     let splats = splats.with_up(Up::Y);
-    let mut parts = Parts::default();
+    let mut parts = AttributeBytes::default();
     parts.floats("POSITION", splats.position.iter().copied());
     let [mut min, mut max] = [splats.position[0]; 2];
     for position in &splats.position {

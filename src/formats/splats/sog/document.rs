@@ -10,22 +10,22 @@ const PALETTE_ROW: usize = 64;
 
 /// The document, of either version.
 #[derive(Deserialize)]
-pub struct Document {
+pub struct SogDocument {
     #[serde(default)]
     pub version: Option<u32>,
     #[serde(default)]
     count: Option<u64>,
-    pub means: Entry,
-    pub scales: Entry,
-    pub quats: Entry,
-    pub sh0: Entry,
+    pub means: CodedImages,
+    pub scales: CodedImages,
+    pub quats: CodedImages,
+    pub sh0: CodedImages,
     #[serde(rename = "shN")]
     pub sh_n: Option<Harmonics>,
 }
 
 /// Images of some numbers, and what their codes mean.
 #[derive(Deserialize)]
-pub struct Entry {
+pub struct CodedImages {
     #[serde(default)]
     shape: Vec<u64>,
     #[serde(default)]
@@ -66,7 +66,7 @@ impl<const N: usize> Extremes<N> {
     }
 }
 
-impl Document {
+impl SogDocument {
     pub fn parse(bytes: &[u8]) -> Result<Self, FormatError> {
         let document: Self = serde_json::from_slice(&text::utf8(bytes)).map_err(|error| {
             FormatError::container(
@@ -92,7 +92,7 @@ impl Document {
     }
 }
 
-impl Entry {
+impl CodedImages {
     /// The smallest and largest numbers.
     pub fn extremes<const N: usize>(&self, name: &str) -> Result<Extremes<N>, FormatError> {
         let ends = [&self.mins, &self.maxs].map(|ends| <[f32; N]>::try_from(ends.as_slice()).ok());

@@ -35,32 +35,32 @@ const OBJECTS: usize = 200_000;
 const MAX_PART: u64 = 256 << 20;
 
 #[derive(Deserialize)]
-struct Document {
+struct LodDocument {
     filenames: Vec<String>,
     /// A SOG of what is around the scene.
     #[serde(default)]
     environment: Option<String>,
-    tree: Node,
+    tree: LodNode,
 }
 
 #[derive(Deserialize)]
-struct Node {
+struct LodNode {
     #[serde(default)]
-    children: Vec<Node>,
+    children: Vec<LodNode>,
     /// By level.
     #[serde(default)]
-    lods: BTreeMap<u32, Run>,
+    lods: BTreeMap<u32, SplatRange>,
 }
 
 /// Splats of a file.
 #[derive(Clone, Copy, Deserialize)]
-struct Run {
+struct SplatRange {
     file: usize,
     offset: usize,
     count: usize,
 }
 
-impl Node {
+impl LodNode {
     /// Adds the levels that leaves have, until there are more than [`LEVELS`].
     fn levels(&self, levels: &mut BTreeSet<u32>) {
         levels.extend(self.lods.keys());
@@ -72,7 +72,7 @@ impl Node {
     }
 
     /// What each leaf has at a level, or at the finest below.
-    fn runs(&self, level: u32, runs: &mut Vec<Run>) {
+    fn runs(&self, level: u32, runs: &mut Vec<SplatRange>) {
         runs.extend(self.lods.range(level..).next().map(|(_, run)| *run));
         for child in &self.children {
             child.runs(level, runs);
@@ -97,7 +97,7 @@ pub fn in_archive(bytes: &[u8]) -> Result<Found, FormatError> {
 }
 
 /// The finest level that an avatar holds beside `more` splats, and its runs.
-fn finest(document: &Document, more: usize) -> Result<(u32, Vec<Run>), FormatError> {
+fn finest(document: &LodDocument, more: usize) -> Result<(u32, Vec<SplatRange>), FormatError> {
     let mut levels = BTreeSet::from([0]);
     document.tree.levels(&mut levels);
     if levels.len() > LEVELS {
@@ -130,7 +130,7 @@ pub fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Found, FormatError> {
     };
     let (level, runs) = finest(&document, around.as_ref().map_or(0, Splats::len))?;
     let mut of_file: BTreeMap<&str, Vec<Range<usize>>> = BTreeMap::new();
-    for Run {
+    for SplatRange {
         file,
         offset,
         count,
@@ -186,7 +186,7 @@ pub fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Found, FormatError> {
     })
 }
 
-fn parse(meta: &[u8]) -> Result<Document, FormatError> {
+fn parse(meta: &[u8]) -> Result<LodDocument, FormatError> {
     let objects = meta.iter().filter(|byte| **byte == b'{').count();
     if meta.len() as u64 > MAX || objects > OBJECTS {
         return Err(FormatError::container(

@@ -2,7 +2,7 @@
 
 use super::{
     META,
-    document::{self, Document, Extremes, Harmonics, codebook, wrong},
+    document::{self, Extremes, Harmonics, SogDocument, codebook, wrong},
     texture::{Texture, most_bytes},
     zipped::Zipped,
 };
@@ -52,13 +52,13 @@ pub fn in_folder(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatEr
 }
 
 /// The images' files, unpacked one by one later.
-struct Packed<'a> {
+struct PackedImages<'a> {
     name: &'a str,
     bytes: Vec<u8>,
 }
 
 fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
-    let document = Document::parse(meta)?;
+    let document = SogDocument::parse(meta)?;
     let count = document.count()?;
     if count > limits::GAUSSIANS as u64 {
         return Err(wrong("count", count, limits::GAUSSIANS));
@@ -68,7 +68,7 @@ fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
     let mut load = |name, pixels| {
         let bytes = files.file(name, most_bytes(pixels))?;
         total += bytes.len() as u64;
-        Ok::<_, FormatError>(Packed { name, bytes })
+        Ok::<_, FormatError>(PackedImages { name, bytes })
     };
     let [low, high] = document.means.files("means")?;
     let means = [load(low, most)?, load(high, most)?];
@@ -87,7 +87,7 @@ fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
         }
     };
     plausible::check(count, total)?;
-    let decode = |packed: &Packed| Texture::decode(&packed.bytes, packed.name, count, most);
+    let decode = |packed: &PackedImages| Texture::decode(&packed.bytes, packed.name, count, most);
     let n = count as usize;
     let position = {
         let [low, high] = [decode(&means[0])?, decode(&means[1])?];
@@ -99,12 +99,12 @@ fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
     };
     let quats = decode(&quats)?;
     let rotation = quats.pixels[..n].iter().map(rotation).collect();
-    let log_scale = Numbers::of_scales(&document)?;
+    let log_scale = CodeMeaning::of_scales(&document)?;
     let log_scale = decode(&scales)?.pixels[..n]
         .iter()
         .map(|&[r, g, b, _]| log_scale.three([r, g, b]))
         .collect();
-    let colors = Numbers::of_colors(&document)?;
+    let colors = CodeMeaning::of_colors(&document)?;
     let sh0 = decode(&sh0)?;
     let mut splats = Splats {
         position,
@@ -165,15 +165,15 @@ fn rotation(pixel: &[u8; 4]) -> [f32; 4] {
 }
 
 /// What the codes of scales or colours mean.
-enum Numbers {
+enum CodeMeaning {
     /// Each byte's number; A is the opacity of 255.
     Codebook(Box<[f32; 256]>),
     /// From 0 to 255 between extremes; those of A are of the opacity's logit.
     Extremes(Extremes<4>),
 }
 
-impl Numbers {
-    fn of_scales(document: &Document) -> Result<Self, FormatError> {
+impl CodeMeaning {
+    fn of_scales(document: &SogDocument) -> Result<Self, FormatError> {
         if document.has_codebooks() {
             let numbers = codebook(&document.scales.codebook, "scales")?;
             return Ok(Self::Codebook(Box::new(numbers)));
@@ -186,7 +186,7 @@ impl Numbers {
         }))
     }
 
-    fn of_colors(document: &Document) -> Result<Self, FormatError> {
+    fn of_colors(document: &SogDocument) -> Result<Self, FormatError> {
         if document.has_codebooks() {
             let numbers = codebook(&document.sh0.codebook, "sh0")?;
             return Ok(Self::Codebook(Box::new(numbers)));

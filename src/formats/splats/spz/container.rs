@@ -49,7 +49,7 @@ pub struct Unpacked {
 }
 
 /// The header's numbers, which all versions have at the same places.
-struct Header {
+struct SpzHeader {
     version: u32,
     count: u64,
     degree: u8,
@@ -57,7 +57,7 @@ struct Header {
     flags: u8,
 }
 
-impl Header {
+impl SpzHeader {
     fn read(bytes: &[u8], packed: usize) -> Result<Self, FormatError> {
         let start = slice(bytes, 0, HEADER as u64, "a header")?;
         if !start.starts_with(MAGIC) {
@@ -160,7 +160,7 @@ pub fn unpacked_size(bytes: &[u8]) -> Option<u64> {
         start = limited(gzip, HEADER as u64).ok()?;
         &start
     };
-    let header = Header::read(header, bytes.len()).ok()?;
+    let header = SpzHeader::read(header, bytes.len()).ok()?;
     Some(HEADER as u64 + header.total())
 }
 
@@ -172,7 +172,7 @@ pub fn unpack(bytes: &[u8]) -> Result<Unpacked, FormatError> {
     if !bytes.starts_with(MAGIC) {
         return unpack_gzip(bytes);
     }
-    let header = Header::read(bytes, bytes.len())?;
+    let header = SpzHeader::read(bytes, bytes.len())?;
     match header.version {
         1..=3 => header.split(bytes),
         4 => unpack_4(bytes, header),
@@ -186,7 +186,7 @@ fn unpack_gzip(bytes: &[u8]) -> Result<Unpacked, FormatError> {
     };
     let gzip = std::io::Read::take(GzDecoder::new(bytes), HEADER as u64);
     let start = limited(gzip, HEADER as u64).map_err(unreadable)?;
-    let header = Header::read(&start, bytes.len())?;
+    let header = SpzHeader::read(&start, bytes.len())?;
     if !(1..=3).contains(&header.version) {
         return Err(wrong_version(header.version, "1, 2 or 3 in a gzip"));
     }
@@ -195,7 +195,7 @@ fn unpack_gzip(bytes: &[u8]) -> Result<Unpacked, FormatError> {
     header.split(&whole)
 }
 
-fn unpack_4(bytes: &[u8], header: Header) -> Result<Unpacked, FormatError> {
+fn unpack_4(bytes: &[u8], header: SpzHeader) -> Result<Unpacked, FormatError> {
     let start = slice(bytes, 0, HEADER_4 as u64, "a header")?;
     let streams = u64::from(start[15]);
     let table_at = u64::from(u32_at(start, 16));
