@@ -44,7 +44,7 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     float log_scale_min;
     float log_scale_step;
     uint sh_color_start;
-    uint unused;
+    uint facing_start;
     uint count_start;
     uint count_tile;
     uint cache_start;

@@ -10,9 +10,12 @@
 //   four for 32 Gaussians    masks of those that have a basis row of rotation | scale | colour,
 //                            number of earlier rows of rotation | scale | colour, first and last
 //                            part, unused
+//   half a Gaussian          from where it is drawn (project/facing.glsl), a word each; where an
+//                            avatar says that
 //   one a Gaussian           RGB as the camera sees it, three f16; with spherical harmonics only
 //
-// The first three pairs give a Gaussian's position and size: nothing else is read of a culled one.
+// The first three pairs give a Gaussian's position and size: but for where it faces, nothing else is
+// read of a culled one.
 
 // Mean in canonical space, metres.
 vec3 gaussian_position(uvec2 words) {

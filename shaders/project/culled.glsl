@@ -1,7 +1,7 @@
 // Counts why Gaussians are culled, if a measurement asks for it: a word a reason, from COUNTS_AT on
 // in the array COUNTS of the including shader.
 PARAMETER(1, bool, COUNTED, false)
-const uint OUTSIDE = 0u, FAINT = 1u, DEGENERATE = 2u;
+const uint OUTSIDE = 0u, AWAY = 1u, FAINT = 2u, DEGENERATE = 3u;
 
 void count_culled(uint reason) {
     if (COUNTED) {

@@ -1,5 +1,5 @@
 // From a Gaussian to a splat and its key (model.md, steps 2 and 4 to 8): sparse correctives, node
-// interpolation, skinning, covariance, projection, culling, depth key. With STORE it also writes
+// interpolation, skinning, facing, covariance, projection, culling, depth key. With STORE it also writes
 // the pose cache for `project_cached`, of all Gaussians that are drawn, visible or not.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -9,6 +9,7 @@
 #include "common/splat.glsl"
 #include "common/depth_key.glsl"
 #include "common/gaussian.glsl"
+#include "project/facing.glsl"
 #include "project/pose_cache.glsl"
 
 layout(local_size_x = PROJECT_WORKGROUP) in;
@@ -130,6 +131,22 @@ uint project_gaussian(uint index) {
     vec2 center;
     float key;
     bool visible = project_center(p, center, key);
+    float fade = 1.0;
+    if (frame.facing_start > i) {
+        uvec2 pair = gaussians[frame.facing_start + (i >> 1u)];
+        uint facing = (i & 1u) == 0u ? pair.x : pair.y;
+        vec3 axis = facing_axis(facing);
+        axis = vec3(dot(r0.xyz, axis), dot(r1.xyz, axis), dot(r2.xyz, axis));
+        uint limit = facing_limit_code(facing);
+        fade = facing_fade(axis, limit, p);
+        if (STORE) {
+            words[frame.cache_start + 6u * frame.drawn + index] = cache_facing(axis, limit);
+        }
+        if (visible && fade <= 0.0) {
+            count_culled(AWAY);
+            visible = false;
+        }
+    }
     // By how much a corrective makes one larger is not known yet.
     bool corrected = (gaussians[block].y >> (i & 31u) & 1u) != 0u;
     if (visible && !corrected) {
@@ -177,7 +194,7 @@ uint project_gaussian(uint index) {
             return SORT_CULLED;
         }
     }
-    return write_splat(index, p, center, key, linear, axes, color, opacity);
+    return write_splat(index, p, center, key, linear, axes, color, opacity, fade);
 }
 
 void main() {

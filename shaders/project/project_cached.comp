@@ -5,6 +5,7 @@
 #include "common/frame.glsl"
 #include "common/splat.glsl"
 #include "common/depth_key.glsl"
+#include "project/facing.glsl"
 #include "project/pose_cache.glsl"
 
 layout(local_size_x = PROJECT_WORKGROUP) in;
@@ -23,9 +24,22 @@ uint project_gaussian(uint index) {
                      frame.camera_from_cache[2].xyz);
     vec2 center;
     float key;
+    if (!project_center(p, center, key)) {
+        return SORT_CULLED;
+    }
+    float fade = 1.0;
+    if (frame.facing_start > index) {
+        uint facing = words[frame.cache_start + 6u * frame.drawn + index];
+        vec3 axis = cached_axis(facing);
+        axis = vec3(dot(rows[0], axis), dot(rows[1], axis), dot(rows[2], axis));
+        fade = facing_fade(axis, facing >> 24u, p);
+        if (fade <= 0.0) {
+            count_culled(AWAY);
+            return SORT_CULLED;
+        }
+    }
     // The size is that along an axis: no deviation is larger than √3 times that.
-    if (!project_center(p, center, key) ||
-        misses_area(p, center, rows, sqrt(3.0) * cached_size(position))) {
+    if (misses_area(p, center, rows, sqrt(3.0) * cached_size(position))) {
         return SORT_CULLED;
     }
     if (float(opacity) <= frame.cutoff) {
@@ -35,7 +49,7 @@ uint project_gaussian(uint index) {
     at = frame.cache_start + 3u * (frame.drawn + index);
     uvec3 shape = uvec3(words[at], words[at + 1u], words[at + 2u]);
     return write_splat(index, p, center, key, rows, cached_axes(position, shape),
-                       cached_color(shape), opacity);
+                       cached_color(shape), opacity, fade);
 }
 
 void main() {

@@ -65,9 +65,9 @@ uint detail_opacity(uint opacity) {
 
 // Writes the splat of a Gaussian; gives its key, SORT_CULLED if it covers nothing. The columns of
 // `axes` are the Gaussian's axes in some space, `rows` those of the matrix from there to the
-// camera.
+// camera. `fade`: how much of the opacity is left of what faces away.
 uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 color,
-                 uint opacity) {
+                 uint opacity, float fade) {
     vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
     Footprint footprint = footprint_of(p, frame.focal, slope, rows, axes, frame.low_pass);
     vec3 covariance = footprint.covariance;
@@ -79,7 +79,7 @@ uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axe
     opacity = detail_opacity(opacity);
     float kept = sqrt(footprint.unfiltered / determinant);
     kept = (1.0 - frame.compensation) + frame.compensation * kept;
-    opacity = uint(round(float(opacity) * kept));
+    opacity = uint(round(float(opacity) * kept * fade));
     if (float(opacity) <= frame.cutoff) {
         count_culled(FAINT);
         return SORT_CULLED;

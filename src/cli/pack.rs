@@ -14,7 +14,10 @@ use effigy_core::{
     io::pack::PackQuality,
 };
 use effigy_formats::open::{self, OpenOptions};
-use effigy_learn::levels::{LevelOptions, LevelPoses, levels_of};
+use effigy_learn::{
+    facing,
+    levels::{LevelOptions, LevelPoses, levels_of},
+};
 use effigy_measure::packing::{self, PackingStep, Views};
 use std::{
     path::{Path, PathBuf},
@@ -39,6 +42,11 @@ pub struct Args {
     /// trained for; splats from all sides; takes minutes
     #[arg(long)]
     levels: bool,
+    /// Also find from where each Gaussian shows, so that those that face away are not drawn: in the
+    /// poses of --motion, and in random ones of the poses that the avatar was trained for; takes
+    /// minutes
+    #[arg(long)]
+    facing: bool,
     /// Clip in whose poses the levels' errors are measured [default: other poses of the same kind]
     #[arg(long, value_name = "FILE", requires = "levels")]
     held_out: Option<PathBuf>,
@@ -113,9 +121,23 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         avatar.name,
         avatar.nodes.len()
     );
+    ensure!(
+        !args.facing || !avatar.is_static(),
+        "`{}` has splats, which may surround who looks at them: --facing is for avatars that move",
+        avatar.name
+    );
+    // Levels are made of what is drawn from everywhere, and face as the avatar does.
+    let faces = args.facing || args.levels && !avatar.gaussians.facing.is_empty();
+    if faces {
+        avatar.gaussians.facing.clear();
+        for level in &mut avatar.levels {
+            level.gaussians.facing.clear();
+        }
+    }
     if args.levels {
         avatar.levels = make_levels(&args, &avatar, &player)?;
     }
+    let faced = faces.then(|| face(&avatar, given(&args, &player)));
     let views = Views {
         player: &player,
         images: args.frames,
@@ -127,10 +149,20 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         bar.set_position(done as u64);
         bar.set_message(step.to_owned());
     };
-    let (lines, packed) = packing::measure_steps(&avatar, args.quality.into(), &views, show)?;
+    let (lines, packed) =
+        packing::measure_steps(&avatar, faced, args.quality.into(), &views, show)?;
     bar.finish_and_clear();
     packed.write_packed(out)?;
     print(&lines);
+    let away = faces
+        .then(|| packing::facing_away(&packed, &views))
+        .flatten();
+    if let Some(away) = away {
+        println!(
+            "{:.0} % of the Gaussians face away in these frames",
+            100.0 * away
+        );
+    }
     for level in &packed.levels {
         print!("{}", LevelSummary::new(level));
     }
@@ -153,13 +185,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 /// Makes the levels of detail of an avatar. `player`: the clip that moves it in compared frames.
 fn make_levels(args: &Args, avatar: &Avatar, player: &Player) -> anyhow::Result<Vec<Level>> {
-    let players = if args.motion.is_some() {
-        std::slice::from_ref(player)
-    } else {
-        &[]
-    };
     let options = LevelOptions::default();
-    let mut poses = LevelPoses::new(avatar, players, options.seed);
+    let mut poses = LevelPoses::new(avatar, given(args, player), options.seed);
     if let Some(path) = &args.held_out {
         let clip_options = CaptureArgs::default().clip_options(None)?;
         let clip = source::clip(path, avatar, &clip_options)?;
@@ -179,6 +206,26 @@ fn make_levels(args: &Args, avatar: &Avatar, player: &Player) -> anyhow::Result<
         avatar.name
     );
     Ok(levels)
+}
+
+/// The clip that was named.
+fn given<'a>(args: &Args, player: &'a Player) -> &'a [Player] {
+    if args.motion.is_some() {
+        std::slice::from_ref(player)
+    } else {
+        &[]
+    }
+}
+
+/// Finds from where an avatar's Gaussians show.
+fn face(avatar: &Avatar, players: &[Player]) -> Avatar {
+    let bar = progress::items(0, "views");
+    let faced = facing::face(avatar, players, &mut |done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+    });
+    bar.finish_and_clear();
+    faced
 }
 
 /// How long an avatar takes to read, milliseconds: the median of five times.

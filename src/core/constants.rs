@@ -11,6 +11,9 @@ pub const ALPHA_MIN: f64 = 1.0 / 255.0;
 pub fn saturation_light(cutoff: f64) -> f64 {
     (12.0 * ALPHA_MIN).max(2.0 * cutoff)
 }
+/// A Gaussian that faces away fades out over this difference of cosines, so that none appears at
+/// once (docs/model.md, step 8).
+pub const FACING_FADE: f64 = 0.125;
 /// No single Gaussian covers more of a pixel than this (docs/model.md, step 10).
 pub const ALPHA_MAX: f64 = 0.99;
 /// Distance of the near plane where a person is looked at, metres.

@@ -121,6 +121,11 @@ const CACHED_LOOK: Amount = Amount {
     stored: WORD * POSE_CACHE_WORDS as u64 - 3 * WORD,
     minimum: 11,
 };
+/// From where a Gaussian is drawn.
+const FACING: Amount = Amount {
+    stored: WORD,
+    minimum: 3,
+};
 /// A splat as handed to the raster stage.
 const SPLAT: Amount = Amount::exact(4 * WORD);
 /// An index of a splat in drawing order.
@@ -288,7 +293,7 @@ pub fn work_per_stage(
     if avatar.sh.is_some() {
         stages.push(view_colors(avatar, counts));
     }
-    stages.push(project(avatar, counts));
+    stages.push(project(avatar, options, counts));
     stages.push(sort(options, counts));
     // Options that are not resolved decide no lists.
     if let Some(method) = options.method {
@@ -436,8 +441,10 @@ impl RowArrays {
 }
 
 /// Skinning, projection and culling; also from the pose cache.
-fn project(avatar: &Avatar, counts: WorkCounts) -> StageWork {
+fn project(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> StageWork {
     let gaussians = counts.gaussians;
+    let faces = options.skip.contains(Skip::FACING) && !avatar.gaussians.facing.is_empty();
+    let facing = FACING * if faces { gaussians } else { 0 };
     let drawn = counts.drawn.min(gaussians);
     // A drawn key adds one to a count of the sort's first pass: a read and a write. At the minimum
     // a Gaussian that is not drawn needs no key.
@@ -449,7 +456,7 @@ fn project(avatar: &Avatar, counts: WorkCounts) -> StageWork {
         stored: DEPTH_KEYS.bytes(gaussians),
         minimum: 0,
     };
-    let handed_on = (SPLAT + counting) * drawn + keys;
+    let handed_on = (SPLAT + counting) * drawn + keys + facing;
     if counts.pose_cached {
         let bytes = CACHED_PLACE * gaussians + CACHED_LOOK * drawn + handed_on;
         let operations = CACHED_PLACE_OPERATIONS * gaussians + CACHED_SPLAT_OPERATIONS * drawn;

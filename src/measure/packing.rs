@@ -19,7 +19,7 @@ use effigy_core::{
         pack::{PackQuality, PackStep},
     },
     layout::{pack::ModelSizes, sh},
-    reference,
+    reference::{self, Culled},
     scene::{AvatarBounds, Camera, FrameImage, Orbit, Posed},
 };
 use serde::Serialize;
@@ -62,14 +62,15 @@ struct ReferenceView {
     reference: FrameImage,
 }
 
-/// Measures the original avatar, the same compressed without loss, and then each step of a quality.
-/// Returns these and the packed avatar. `progress` is called with what is being done, how many
+/// Measures the original avatar, the same compressed without loss, then with where its Gaussians face
+/// if `faced` is that, and then each step of a quality. Returns these and the packed avatar. `progress` is called with what is being done, how many
 /// images are done, and how many there are.
 ///
 /// # Errors
 /// When the avatar breaks a rule of its format.
 pub fn measure_steps(
     avatar: &Avatar,
+    faced: Option<Avatar>,
     quality: PackQuality,
     views: &Views,
     mut progress: impl FnMut(&str, usize, usize),
@@ -80,7 +81,7 @@ pub fn measure_steps(
         .copied()
         .filter(|step| step.applies_to(avatar))
         .collect();
-    let image_count = views.images * (steps.len() + 2);
+    let image_count = views.images * (steps.len() + 2 + usize::from(faced.is_some()));
     let mut done = 0;
     let mut references = Vec::with_capacity(views.images);
     for index in 0..views.images {
@@ -103,6 +104,13 @@ pub fn measure_steps(
         },
     ];
     let mut packed = avatar.clone();
+    if let Some(faced) = faced {
+        progress("facing", done, image_count);
+        packed = faced;
+        let bytes = packed.to_packed_bytes()?;
+        lines.push(measure("facing", &packed, &bytes, &references)?);
+        done += views.images;
+    }
     for step in steps {
         progress(step.name(), done, image_count);
         packed = packed.after(step);
@@ -131,6 +139,22 @@ fn measure(
     })
 }
 
+/// Which share of an avatar's Gaussians is not drawn because it faces away, in the mean over the
+/// views. None without views.
+pub fn facing_away(avatar: &Avatar, views: &Views) -> Option<f64> {
+    let of_view = |index: usize| {
+        let ViewPoint { posed, camera, .. } = ViewPoint::new(avatar, views, index);
+        let gaussians = reference::gaussians_of(avatar, &[&posed], &camera);
+        let splats = reference::project::splats(&gaussians, &camera, avatar.filter, 0);
+        let away = splats
+            .iter()
+            .filter(|splat| matches!(splat, Err(Culled::Away)));
+        away.count() as f64 / splats.len() as f64
+    };
+    let sum: f64 = (0..views.images).map(of_view).sum();
+    (views.images > 0).then(|| sum / views.images as f64)
+}
+
 /// Bytes of an avatar and its levels on a device.
 fn device_bytes(avatar: &Avatar) -> u64 {
     let own = ModelSizes::from_avatar(avatar).total() + sh::bytes(avatar);
@@ -149,22 +173,44 @@ fn raw_bytes(file: &[u8]) -> Result<usize, FormatError> {
     Ok(tensors.iter().map(|tensor| tensor.bytes).sum())
 }
 
+/// Where a view is seen from.
+struct ViewPoint {
+    pose: Pose,
+    posed: Posed,
+    camera: Camera,
+}
+
+impl ViewPoint {
+    fn new(avatar: &Avatar, views: &Views, index: usize) -> Self {
+        let share = (index as f64 + 0.5) / views.images as f64;
+        let pose = views.player.pose(share * views.player.clip().duration());
+        let posed = Posed::new(avatar, &pose);
+        let framing = AvatarBounds::new(avatar).framing(&posed.joints);
+        // Consecutive views are from sides that are far apart.
+        let yaw = viewpoint::yaw(0.618 * index as f64);
+        let camera = Camera::around(
+            framing,
+            Orbit {
+                yaw,
+                pitch: PITCH,
+                fov: FOV,
+            },
+            views.size,
+        );
+        Self {
+            pose,
+            posed,
+            camera,
+        }
+    }
+}
+
 fn view(avatar: &Avatar, views: &Views, index: usize) -> ReferenceView {
-    let share = (index as f64 + 0.5) / views.images as f64;
-    let pose = views.player.pose(share * views.player.clip().duration());
-    let posed = Posed::new(avatar, &pose);
-    let framing = AvatarBounds::new(avatar).framing(&posed.joints);
-    // Consecutive views are from sides that are far apart.
-    let yaw = viewpoint::yaw(0.618 * index as f64);
-    let camera = Camera::around(
-        framing,
-        Orbit {
-            yaw,
-            pitch: PITCH,
-            fov: FOV,
-        },
-        views.size,
-    );
+    let ViewPoint {
+        pose,
+        posed,
+        camera,
+    } = ViewPoint::new(avatar, views, index);
     ReferenceView {
         reference: reference::render(avatar, &posed, &camera),
         pose,
@@ -238,10 +284,11 @@ mod tests {
             images: 1,
             size: [120, 150],
         };
-        let (lines, packed) = measure_steps(&avatar, PackQuality::Small, &views, |_, done, all| {
-            assert!(done <= all)
-        })
-        .expect("it can be written");
+        let (lines, packed) =
+            measure_steps(&avatar, None, PackQuality::Small, &views, |_, done, all| {
+                assert!(done <= all)
+            })
+            .expect("it can be written");
         let db = |at: usize| {
             (
                 lines[at].rounded_db.expect("images"),
@@ -268,6 +315,7 @@ mod tests {
         assert!(packed == avatar.packed(PackQuality::Small));
         let none = measure_steps(
             &avatar,
+            None,
             PackQuality::Lossless,
             &Views { images: 0, ..views },
             |_, _, _| (),

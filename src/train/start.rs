@@ -280,6 +280,7 @@ fn gaussians(
             .collect(),
         joint_weight: points.iter().map(weights).collect(),
         node: places.par_iter().map(node).collect(),
+        facing: vec![],
     }
 }
 

@@ -253,6 +253,7 @@ fn gaussians(
             .map(|_| [180, 180, 90, 0][random.below(4)] + random.below(76) as u8)
             .collect(),
         position,
+        facing: vec![],
     }
 }
 
@@ -397,6 +398,19 @@ pub fn with_near_levels(avatar: Avatar) -> Avatar {
     for measured in avatar.levels.iter_mut().flat_map(|own| &mut own.measured) {
         measured.psnr_db += 4.0;
     }
+    avatar
+}
+
+/// An avatar without levels whose Gaussians are each drawn from a cone of directions, some from
+/// everywhere or nowhere.
+pub fn faced(mut avatar: Avatar) -> Avatar {
+    let random = &mut Random(avatar.gaussians.len() as u64);
+    let facing = (0..avatar.gaussians.len()).map(|k| match k % 16 {
+        0 => facing::EVERYWHERE,
+        1 => facing::NOWHERE,
+        _ => std::array::from_fn(|_| random.below(256) as u8),
+    });
+    avatar.gaussians.facing = facing.collect();
     avatar
 }
 

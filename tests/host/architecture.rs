@@ -189,6 +189,7 @@ const LAYERS: &[Layers] = &[
             "ground_truth",
             "pictures",
             "levels",
+            "facing",
             "score",
             "prune",
             "distil",

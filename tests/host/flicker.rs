@@ -4,7 +4,7 @@
 
 use crate::common::{self, Sizes};
 use effigy_core::{
-    avatar::{Avatar, Filter},
+    avatar::{Avatar, Facing, Filter},
     reference::{
         self, Carried, Gaussian, Sorting, SurfaceView, carry, drawn_rect, gaussians_of, project,
         render_sorted,
@@ -33,6 +33,7 @@ fn disc(at: DVec3, turned: DQuat, color: DVec3, opacity: u8) -> Gaussian {
         axes: DMat3::from_quat(turned) * DMat3::from_diagonal(DVec3::new(0.16, 0.12, 0.001)),
         color,
         opacity,
+        facing: Facing::EVERYWHERE,
     }
 }
 

@@ -221,7 +221,7 @@ fn retarget(skeleton: &Skeleton, captured: &Captured) {
 }
 
 fn edited_avatars_and_clips() {
-    let corpus: [&[u8]; 7] = [
+    let corpus: [&[u8]; 8] = [
         include_bytes!("../data/kept/1.avatar"),
         include_bytes!("../data/kept/1.motion"),
         include_bytes!("../data/kept/2-levels.avatar"),
@@ -229,6 +229,7 @@ fn edited_avatars_and_clips() {
         include_bytes!("../data/kept/2-small.avatar"),
         include_bytes!("../data/kept/3-small.avatar"),
         include_bytes!("../data/kept/3.avatar"),
+        include_bytes!("../data/kept/5-small.avatar"),
     ];
     fuzz("avatar", &corpus, &|bytes| {
         if let FileContent::Avatar(avatar) = FileContent::from_bytes(bytes)? {

@@ -156,7 +156,7 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(FrameBlock, log_scale_min),
         offset_of!(FrameBlock, log_scale_step),
         offset_of!(FrameBlock, sh_color_start),
-        offset_of!(FrameBlock, unused),
+        offset_of!(FrameBlock, facing_start),
         offset_of!(FrameBlock, count_start),
         offset_of!(FrameBlock, count_tile),
         offset_of!(FrameBlock, cache_start),

@@ -10,6 +10,7 @@ mod capture;
 mod drift;
 #[cfg(feature = "window")]
 mod dropped;
+mod facing;
 mod files;
 mod flicker;
 mod fuzz;
@@ -68,6 +69,7 @@ fn main() -> ExitCode {
             files::packed,
             files::rules,
             files::scans,
+            facing,
             flicker,
             fuzz,
             gltf_motion,

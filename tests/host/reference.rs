@@ -67,6 +67,7 @@ fn avatar(dots: &[Dot]) -> Avatar {
             joint: vec![[0; 4]; dots.len()],
             joint_weight: vec![[255, 0, 0, 0]; dots.len()],
             node: vec![[0; 3]; dots.len()],
+            facing: vec![],
         },
         parts: Parts {
             start: vec![0, dots.len() as u32],

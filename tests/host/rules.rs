@@ -7,6 +7,7 @@
 //! | derivative of the perspective ends at 1.3 of the field of view | 3DGS' own formula, below |
 //! | low-pass, α ≥ 1/255, α ≤ 0.99 | 3DGS' own formulas, below |
 //! | centre, depth and order by the mean's z | 3DGS' own formula, below |
+//! | what faces away fades out | its definition, below |
 //! | deviations end at e⁹ m | what is larger, below |
 //! | colours end at 1 before blending, which 3DGS doesn't do | how far that is off, below |
 //! | spherical harmonics of the direction in canonical space | the definition, below |
@@ -15,7 +16,7 @@
 
 use crate::common::{self, Random, plain, wide};
 use effigy_core::{
-    avatar::{Filter, Pose},
+    avatar::{Facing, Filter, Pose},
     reference::{
         self, Gaussian,
         project::{self, Canonical},
@@ -38,6 +39,7 @@ fn gaussian(random: &mut Random) -> Gaussian {
         axes: DMat3::from_quat(turn) * DMat3::from_diagonal(deviation),
         color: 0.5 + random.vector(0.5),
         opacity: random.range(1.0, 255.0) as u8,
+        facing: Facing::EVERYWHERE,
     }
 }
 
@@ -102,6 +104,39 @@ fn a_gaussian_of_more_than_eight_kilometres_shows_as_one_of_eight() {
     assert!(apart < 0.5 / 255.0, "off by {apart}");
 }
 
+/// A cone of directions: nothing shows where the cosine is at its limit or below, all from an eighth
+/// above it on, and in between as much as the cosine says, whichever way camera and Gaussian turn.
+fn what_faces_away_fades_out() {
+    let random = &mut Random(3);
+    for share in [-1.0, -0.01, 0.25, 0.5, 1.0, 3.0] {
+        let axis = random.vector(1.0).normalize();
+        let across = axis.any_orthonormal_vector();
+        let limit = random.range(-0.5, 0.5);
+        let cosine: f64 = limit + 0.125 * share;
+        let mean = random.vector(5.0);
+        let eye = mean + 3.0 * (cosine * axis + (1.0 - cosine * cosine).sqrt() * across);
+        let got = Gaussian {
+            mean,
+            facing: Facing {
+                axis: 0.7 * axis,
+                limit,
+            },
+            ..round(DVec3::ZERO, 0.1, DVec3::new(0.9, 0.5, 0.2))
+        };
+        let expected = Gaussian {
+            opacity: (200.0 * share.clamp(0.0, 1.0)) as u8,
+            facing: Facing::EVERYWHERE,
+            ..got
+        };
+        let camera = Camera::look_at(eye, mean, 0.6, [24, 24]);
+        let apart = apart(
+            &reference::render_gaussians(&[got], &camera, Filter::DEFAULT),
+            &plain::render(&[expected], &camera, Filter::DEFAULT.variance),
+        );
+        assert!(apart < 1e-6, "{share}: off by {apart}");
+    }
+}
+
 /// 3DGS blends colours above 1 as they are. What that changes is at most what they exceed 1 by.
 fn colours_above_one_are_drawn_as_one() {
     let color = DVec3::new(1.25, 0.5, -0.25);
@@ -158,6 +193,7 @@ tests! {
     nothing_that_shows_is_culled_by_where_it_is,
     a_backdrop_stays_at_every_focal_length,
     a_gaussian_of_more_than_eight_kilometres_shows_as_one_of_eight,
+    what_faces_away_fades_out,
     colours_above_one_are_drawn_as_one,
     harmonics_see_the_direction_from_the_camera,
 }

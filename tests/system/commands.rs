@@ -243,7 +243,7 @@ fn bench_writes_what_it_measured_of_every_case() {
     let count = |case: usize, name: &str| cases[case]["counters"][name].as_f64().unwrap();
     let four = names.iter().position(|name| *name == "four").unwrap();
     for case in [0, 5, four] {
-        let reasons: f64 = ["outside", "faint", "degenerate"]
+        let reasons: f64 = ["outside", "away", "faint", "degenerate"]
             .iter()
             .map(|name| count(case, name))
             .sum();
@@ -448,10 +448,8 @@ fn bench_measures_what_flickers() {
 fn bench_finds_the_worst_of_many_poses_and_views() {
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
-    // One raster method: which is fastest depends on what else the machine does, and so would the
-    // default's error.
     let what = "small.avatar --motion small.motion --size 160x160 --frames 1 --check 0 --views 2 \
-                --supersample 1 --raster tiles-cooperative";
+                --supersample 1";
     let spread = |options: &str| {
         let out = folder.path().join("out.json");
         let said = works(
@@ -643,8 +641,7 @@ fn what_is_killed_leaves_what_it_had_measured() {
             "copies",
         ),
         (
-            "bench --size 96x96 --frames 4 --check 1 --spread 0 --raster tiles-cooperative \
-             --sort per-thread \
+            "bench --size 96x96 --frames 4 --check 1 --spread 0 --sort per-thread \
              --case full,camera,orbit,expression,static,close,far,four --json",
             "cases",
         ),

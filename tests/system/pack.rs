@@ -8,6 +8,8 @@ use std::{
     process::{Command, Output},
 };
 
+const SPLATS: &[u8] = include_bytes!("../data/splats/truth.ply");
+
 fn effigy(folder: &Path, arguments: &str) -> Output {
     Command::new(common::program())
         .args(arguments.split_whitespace())
@@ -151,7 +153,40 @@ fn the_projection_can_be_switched_off() {
     );
 }
 
+fn facing_is_found_written_and_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let what = "pack small.avatar --motion small.motion --facing --frames 2 --size 80x100";
+    let table = works(folder.path(), &format!("{what} --out faced.avatar"));
+    assert!(
+        table.contains("\nfacing") && table.contains("% of the Gaussians face away"),
+        "{table}"
+    );
+    let faced = Avatar::read(&folder.path().join("faced.avatar")).unwrap();
+    assert_eq!(faced.gaussians.facing.len(), faced.gaussians.len());
+    let said = works(folder.path(), "inspect faced.avatar");
+    assert!(said.contains("facing"), "{said}");
+    // Levels that are made later face too.
+    let what = "pack faced.avatar --motion small.motion --levels --frames 0";
+    works(folder.path(), &format!("{what} --out levels.avatar"));
+    let levels = Avatar::read(&folder.path().join("levels.avatar")).unwrap();
+    assert!(
+        levels
+            .levels
+            .iter()
+            .all(|level| !level.gaussians.facing.is_empty())
+    );
+    std::fs::write(folder.path().join("truth.ply"), SPLATS).unwrap();
+    let refused = effigy(folder.path(), "pack truth.ply --facing --out s.avatar");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(
+        !refused.status.success() && said.contains("--facing is for avatars that move"),
+        "{said}"
+    );
+}
+
 tests! {
+    facing_is_found_written_and_drawn: no_device,
     pack_writes_smaller_files_and_says_what_they_cost: no_device,
     what_can_not_be_packed_or_read_is_said_in_one_sentence: no_device,
     packed_files_are_drawn_as_the_reference_draws_them,

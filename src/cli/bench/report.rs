@@ -151,6 +151,7 @@ fn print_counters(report: &CaseReport) {
     let reasons = [
         ("skipped_by_detail", "skipped by detail"),
         ("outside", "outside"),
+        ("away", "away"),
         ("faint", "faint"),
         ("degenerate", "degenerate"),
     ];

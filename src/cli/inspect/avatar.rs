@@ -2,7 +2,7 @@
 
 use super::levels::LevelSummary;
 use super::text::{Distribution, line, stated, table, thousands};
-use effigy_core::avatar::{Activation, Avatar, Filter};
+use effigy_core::avatar::{Activation, Avatar, Facing, FacingCode, Filter};
 use effigy_core::io::file::TensorInfo;
 use serde::Serialize;
 use std::fmt;
@@ -46,6 +46,8 @@ pub struct AvatarSummary {
     harmonics: usize,
     /// The low-pass that it was learned with.
     filter: Filter,
+    /// Share of all directions from which a Gaussian is not drawn, in the mean; 0 where it has no cone.
+    facing: f64,
     levels: Vec<LevelSummary>,
     tensors: Vec<TensorInfo>,
     bytes: usize,
@@ -120,6 +122,7 @@ impl AvatarSummary {
                 .map(|k| Distribution::new(gaussians.color.iter().map(|c| c[k].to_f64()))),
             harmonics: avatar.sh.as_ref().map_or(0, |harmonics| harmonics.degree),
             filter: avatar.filter,
+            facing: not_facing(&avatar.gaussians.facing),
             levels: avatar.levels.iter().map(LevelSummary::new).collect(),
             bytes: tensors.iter().map(|tensor| tensor.bytes).sum(),
             stored: tensors.iter().map(|tensor| tensor.stored).sum(),
@@ -213,6 +216,13 @@ impl LengthUnit {
             }
         }
     }
+}
+
+/// The share of all directions that cones leave out, in the mean.
+fn not_facing(codes: &[FacingCode]) -> f64 {
+    // A cap of the sphere is as large as it is high.
+    let left_out = |code: &FacingCode| ((1.0 + Facing::decode(*code).limit) / 2.0).clamp(0.0, 1.0);
+    codes.iter().map(left_out).sum::<f64>() / codes.len().max(1) as f64
 }
 
 /// Joints in a row, without a branch between them.
@@ -334,6 +344,16 @@ impl fmt::Display for AvatarSummary {
             "low-pass",
             format_args!("{} px²{compensated}", self.filter.variance),
         )?;
+        if self.facing > 0.0 {
+            line(
+                f,
+                "facing",
+                format_args!(
+                    "not drawn from {:.0} % of all directions in the mean",
+                    100.0 * self.facing
+                ),
+            )?;
+        }
         for level in &self.levels {
             level.fmt(f)?;
         }

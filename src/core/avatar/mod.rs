@@ -6,6 +6,7 @@
 //! N_s position nodes, J joints.
 
 pub mod bounds;
+pub mod facing;
 pub mod filter;
 pub mod harmonics;
 pub mod inputs;
@@ -19,6 +20,7 @@ pub mod prune;
 pub mod skeleton;
 
 pub use bounds::Bounds;
+pub use facing::{Facing, FacingCode};
 pub use filter::{Filter, LowPass};
 pub use inputs::{Inputs, Subspace};
 pub use matrix::Matrix;

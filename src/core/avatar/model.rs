@@ -1,6 +1,6 @@
 //! The arrays of an avatar.
 
-use super::{Bounds, Filter, Inputs, Matrix, Skeleton, harmonics::functions_of};
+use super::{Bounds, FacingCode, Filter, Inputs, Matrix, Skeleton, harmonics::functions_of};
 use glam::DVec3;
 use half::f16;
 
@@ -62,6 +62,9 @@ pub struct Gaussians {
     pub joint_weight: Vec<[u8; 4]>,
     /// The three nearest nodes.
     pub node: Vec<[u16; 3]>,
+    /// From where each is drawn; empty: from everywhere. The avatar's own have it if the levels'
+    /// have.
+    pub facing: Vec<FacingCode>,
 }
 
 impl Gaussians {
@@ -93,6 +96,11 @@ impl Gaussians {
             joint: pick(&self.joint, gaussians),
             joint_weight: pick(&self.joint_weight, gaussians),
             node: pick(&self.node, gaussians),
+            facing: if self.facing.is_empty() {
+                vec![]
+            } else {
+                pick(&self.facing, gaussians)
+            },
         }
     }
 }

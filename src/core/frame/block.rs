@@ -115,6 +115,9 @@ pub fn write_instance(
     block.first_splat = instance.first_key;
     block.drawn = instance.gaussians;
     block.detail_level = instance.level;
+    if !options.skip.contains(Skip::FACING) {
+        block.facing_start = 0;
+    }
     block.covariance_scale = detail::covariance_scale(instance.level) as f32;
     block.idle_parts = instance.networks.complement().bits();
     block.culled_parts = instance.culled_parts.bits();

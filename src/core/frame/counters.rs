@@ -78,19 +78,27 @@ pub struct Counters {
 pub struct CullReasons {
     /// Nearer than the near plane, or outside the image.
     pub outside: u64,
+    /// Facing away from the camera.
+    #[serde(default)]
+    pub away: u64,
     /// Nowhere as opaque as the cutoff.
     pub faint: u64,
     /// Not finite, or beyond the range of f32.
     pub degenerate: u64,
 }
 
+impl CullReasons {
+    /// How many there are.
+    pub const COUNT: usize = 4;
+}
+
 impl Counters {
-    /// These counts of a frame, with what the device counted. `reasons`: outside, faint,
-    /// degenerate.
+    /// These counts of a frame, with what the device counted. `reasons`: as the fields of
+    /// [`CullReasons`].
     pub fn with_device_counts(
         self,
         control: &Control,
-        reasons: Option<[u32; 3]>,
+        reasons: Option<[u32; CullReasons::COUNT]>,
         fragments: Option<u64>,
         samples: Option<u64>,
     ) -> Self {
@@ -99,9 +107,10 @@ impl Counters {
             culled: self.gaussians.saturating_sub(drawn),
             drawn,
             reasons: reasons.map(|counts| {
-                let [outside, faint, degenerate] = counts.map(u64::from);
+                let [outside, away, faint, degenerate] = counts.map(u64::from);
                 CullReasons {
                     outside,
+                    away,
                     faint,
                     degenerate,
                 }
@@ -124,6 +133,7 @@ impl Counters {
             ("most_samples", Some(self.most_samples)),
             ("coarsest_level", Some(self.coarsest_level)),
             ("outside", self.reasons.map(|reasons| reasons.outside)),
+            ("away", self.reasons.map(|reasons| reasons.away)),
             ("faint", self.reasons.map(|reasons| reasons.faint)),
             ("degenerate", self.reasons.map(|reasons| reasons.degenerate)),
             ("drawn", Some(self.drawn)),
@@ -169,7 +179,7 @@ mod tests {
             }
             .named()
             .count(),
-            20
+            21
         );
         assert_eq!(Counters::default().named().count(), 15);
         assert_eq!(

@@ -33,6 +33,8 @@ bitflags::bitflags! {
         /// Pixels outside the damage rectangle, the box around what is in view and what was there
         /// before; with WebGPU only with tiles.
         const DAMAGE = 1 << 10;
+        /// Gaussians that face away, where an avatar says from where each is drawn.
+        const FACING = 1 << 11;
     }
 }
 

@@ -50,8 +50,10 @@ pub const QUADS_PER_INSTANCE: u32 = 128;
 pub const GAUSSIAN_PAIRS: u32 = 4;
 /// Pairs of words that 32 Gaussians share.
 pub const BLOCK_PAIRS: u32 = 4;
-/// Words of a Gaussian in the pose cache.
+/// Words of a Gaussian in the pose cache, but for where it faces.
 pub const POSE_CACHE_WORDS: u32 = 6;
+/// Words of where a Gaussian faces there.
+pub const POSE_CACHE_FACING_WORDS: u32 = 1;
 /// Vectors of 128 bits, one bit for each part that an avatar may have.
 pub const PART_BITS: usize = limits::PARTS / 128;
 /// Levels of tiles, each with a sixteenth of the tiles of the one before; the last is one tile, the
@@ -190,8 +192,9 @@ pub struct FrameBlock {
     /// Where in the model the view-dependent colours start, in pairs; 0 without spherical
     /// harmonics.
     pub sh_color_start: u32,
-    /// Keeps the vectors after it aligned.
-    pub unused: u32,
+    /// Where in the model the words are that say from where Gaussians are drawn, in pairs; 0: all
+    /// are drawn from everywhere.
+    pub facing_start: u32,
     /// Where in the splats' buffer the sort's first counts start, in words.
     pub count_start: u32,
     /// How many keys share a row of counts.
@@ -238,6 +241,17 @@ pub struct FrameBlock {
     pub input: [[[f32; 4]; INPUT_QUADS]; 2],
     /// Rows of view · G_j, canonical space to camera, three a joint.
     pub joint: [[[f32; 4]; 3]; limits::JOINTS],
+}
+
+impl FrameBlock {
+    /// Words of a Gaussian in the pose cache.
+    pub fn pose_cache_words(&self) -> u32 {
+        if self.facing_start > 0 {
+            POSE_CACHE_WORDS + POSE_CACHE_FACING_WORDS
+        } else {
+            POSE_CACHE_WORDS
+        }
+    }
 }
 
 const _: () = assert!(

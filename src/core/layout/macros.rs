@@ -9,7 +9,8 @@ use super::{
 use crate::{
     avatar::limits,
     constants::{
-        ALPHA_MAX, DETAIL_COARSEST, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX,
+        ALPHA_MAX, DETAIL_COARSEST, F16_MAX, FACING_FADE, FEATURE_MAX, LOG_SCALE_MAX, ROTATION_MIN,
+        VARIANCE_MAX,
     },
 };
 
@@ -83,6 +84,7 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("FEATURE_MAX", Float(FEATURE_MAX)),
     ("LOG_SCALE_MAX", Float(LOG_SCALE_MAX)),
     ("ALPHA_MAX", Float(ALPHA_MAX)),
+    ("FACING_FADE", Float(FACING_FADE)),
     ("ROTATION_MIN", Float(ROTATION_MIN)),
     ("VARIANCE_MAX", Float(VARIANCE_MAX)),
     ("NODE_BITS_MIN", Uint(NODE_BITS_MIN)),

@@ -45,8 +45,13 @@ pub fn constants(avatar: &Avatar) -> FrameBlock {
         log_scale_step: scales.step as f32,
         low_pass: avatar.filter.variance as f32,
         compensation: if avatar.filter.compensated { 1.0 } else { 0.0 },
-        sh_color_start: if avatar.sh.is_some() {
+        facing_start: if facing_pairs(avatar) > 0 {
             pairs(avatar) as u32
+        } else {
+            0
+        },
+        sh_color_start: if avatar.sh.is_some() {
+            (pairs(avatar) + facing_pairs(avatar)) as u32
         } else {
             0
         },
@@ -160,7 +165,7 @@ pub struct ModelSizes {
     pub nodes: u64,
     /// First node of each part.
     pub node_starts: u64,
-    /// Gaussians, their blocks, and view-dependent colours.
+    /// Gaussians, their blocks, where they face, and view-dependent colours.
     pub gaussians: u64,
     /// Basis rows.
     pub rows: u64,
@@ -174,7 +179,7 @@ impl ModelSizes {
             networks: words(avatar.parts.len() * network_words(avatar, network_layout(avatar).1)),
             nodes: words((node_quads(avatar) + 2) * avatar.nodes.len()),
             node_starts: words(avatar.parts.len() + 1),
-            gaussians: words(2 * (pairs(avatar) + lit_pairs(avatar))),
+            gaussians: words(2 * all_pairs(avatar)),
             rows: words(row_words(avatar).iter().sum()),
         }
     }
@@ -293,6 +298,16 @@ fn pairs(avatar: &Avatar) -> usize {
         + BLOCK_PAIRS as usize * avatar.gaussians.len().div_ceil(BLOCK)
 }
 
+/// Pairs of words for where Gaussians face.
+fn facing_pairs(avatar: &Avatar) -> usize {
+    avatar.gaussians.facing.len().div_ceil(2)
+}
+
+/// Pairs of words of all planes.
+fn all_pairs(avatar: &Avatar) -> usize {
+    pairs(avatar) + facing_pairs(avatar) + lit_pairs(avatar)
+}
+
 /// Pairs of words for view-dependent colours.
 fn lit_pairs(avatar: &Avatar) -> usize {
     if avatar.sh.is_some() {
@@ -344,7 +359,7 @@ pub fn gaussians(avatar: &Avatar, node_places: &[u16]) -> Vec<[u32; 2]> {
     let count = avatar.gaussians.len();
     let scales = LogScales::from_avatar(avatar);
     let packed = each::map(count, |i| packed_gaussian(avatar, scales, node_places, i));
-    let mut data = vec![[0; 2]; pairs(avatar) + lit_pairs(avatar)];
+    let mut data = vec![[0; 2]; all_pairs(avatar)];
     for (i, [first, second, nodes, look]) in packed.into_iter().enumerate() {
         data[2 * i] = first;
         data[2 * i + 1] = second;
@@ -358,6 +373,12 @@ pub fn gaussians(avatar: &Avatar, node_places: &[u16]) -> Vec<[u32; 2]> {
     let part = |gaussian: usize| avatar.parts.part_of(gaussian) as u16;
     for (at, block) in blocks.chunks_exact_mut(BLOCK_PAIRS as usize).enumerate() {
         block[3][0] = pair(part(at * BLOCK), part((at * BLOCK + BLOCK).min(count) - 1));
+    }
+    let facing = avatar.gaussians.facing.chunks(2);
+    for (pair, codes) in data[pairs(avatar)..].iter_mut().zip(facing) {
+        for (word, &[u, v, limit]) in pair.iter_mut().zip(codes) {
+            *word = u32::from_le_bytes([u, v, limit, 0]);
+        }
     }
     data
 }

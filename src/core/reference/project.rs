@@ -4,7 +4,7 @@
 use super::basis::{corrective, plus};
 use super::mlp;
 use super::nodes::displacement;
-use crate::avatar::{Avatar, LowPass};
+use crate::avatar::{Avatar, Facing, LowPass};
 use crate::constants;
 use crate::each;
 use crate::layout::compact::NeutralGaussian;
@@ -23,6 +23,8 @@ pub struct Gaussian {
     pub color: DVec3,
     /// 255 is opaque.
     pub opacity: u8,
+    /// G₃ₓ₃ a and the limit: from where it is drawn.
+    pub facing: Facing,
 }
 
 impl Gaussian {
@@ -56,8 +58,10 @@ pub struct Splat {
 pub enum Culled {
     /// Its centre is nearer than the camera's near plane, or behind the camera.
     Behind,
+    /// It faces away from the camera.
+    Away,
     /// It is nowhere as opaque as 1/255. Checked again after [`Culled::Invalid`], with the filter's
-    /// compensation.
+    /// compensation and what [`Facing`] leaves.
     Faint,
     /// A number of it is NaN or infinite, or its variance is above [`constants::VARIANCE_MAX`].
     Invalid,
@@ -105,7 +109,12 @@ pub fn gaussians_from(
             color: DVec3::from(plus(own.color, corrective(&avatar.color_rows, k, e))),
         };
         let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
-        pose(&canonical, &g, neutral.opacity[k])
+        let facing = neutral.facing.get(k).copied().map(Facing::decode);
+        let posed = pose(&canonical, &g, neutral.opacity[k]);
+        Gaussian {
+            facing: facing.map_or(posed.facing, |own| own.moved(&g.matrix3)),
+            ..posed
+        }
     })
 }
 
@@ -124,7 +133,8 @@ pub struct Canonical {
     pub color: DVec3,
 }
 
-/// A Gaussian in the posed world (docs/model.md, steps 5 to 7). `g`: its skinning transform.
+/// A Gaussian in the posed world (docs/model.md, steps 5 to 7), drawn from everywhere. `g`: its
+/// skinning transform.
 pub fn pose(canonical: &Canonical, g: &DAffine3, opacity: u8) -> Gaussian {
     let q = rotation(canonical.neutral_rotation, canonical.rotation_corrective);
     let s = canonical
@@ -137,6 +147,7 @@ pub fn pose(canonical: &Canonical, g: &DAffine3, opacity: u8) -> Gaussian {
         // Written so that NaN stays NaN.
         color: DVec3::from(canonical.color.to_array().map(|c| c.clamp(0.0, 1.0))),
         opacity,
+        facing: Facing::EVERYWHERE,
     }
 }
 
@@ -227,6 +238,10 @@ fn projected(
     if t.z < camera.near {
         return Err(Culled::Behind);
     }
+    let fade = gaussian.facing.moved(&camera.view.matrix3).fade(-t);
+    if fade <= 0.0 {
+        return Err(Culled::Away);
+    }
     radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
     let center = camera.project(t);
     let axes = camera.view.matrix3 * gaussian.axes;
@@ -245,7 +260,8 @@ fn projected(
     }
     let size = DVec2::from(camera.size.map(f64::from));
     // What a level enlarges covariances by leaves the ratio of their determinants as it is.
-    let opacity = opacity * low_pass.opacity_factor(footprint.unfiltered, footprint.determinant);
+    let kept = low_pass.opacity_factor(footprint.unfiltered, footprint.determinant);
+    let opacity = opacity * kept * fade;
     let sigmas = radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
     let spread = detail::covariance_scale(level);
     let covariance = footprint.covariance.map(|v| spread * v);
@@ -365,7 +381,8 @@ impl GaussianGradient {
     };
 }
 
-/// The derivative of [`project_opaque`], for a Gaussian that it does not cull.
+/// The derivative of [`project_opaque`], for a Gaussian that it does not cull. How far it fades, as
+/// it faces away, counts as constant.
 pub fn project_backward(
     gaussian: &Gaussian,
     opacity: f64,
@@ -377,6 +394,8 @@ pub fn project_backward(
     let low_pass = low_pass.into();
     let t = camera.view.transform_point3(gaussian.mean);
     let m = camera.view.matrix3 * gaussian.axes;
+    let fade = gaussian.facing.moved(&camera.view.matrix3).fade(-t);
+    let of_opacity = gradient.opacity * fade;
     let rows = FootprintRows::new(m, t, camera, camera.derivative_limits());
     let [a, b, c] = splat.covariance;
     let det = splat.determinant;
@@ -396,7 +415,7 @@ pub fn project_backward(
     let mut of_x = DVec3::ZERO;
     let mut of_y = DVec3::ZERO;
     if compensated > 0.0 {
-        let of_log = 0.5 * gradient.opacity * opacity / 255.0 * compensated;
+        let of_log = 0.5 * of_opacity * opacity / 255.0 * compensated;
         let scale = 2.0 * of_log / unfiltered;
         of_x += scale * (y.length_squared() * x - x.dot(y) * y);
         of_y += scale * (x.length_squared() * y - x.dot(y) * x);
@@ -429,7 +448,7 @@ pub fn project_backward(
         mean: to_world * of_t,
         axes: to_world * of_m,
         color: gradient.color,
-        opacity: gradient.opacity * factor / 255.0,
+        opacity: of_opacity * factor / 255.0,
     }
 }
 

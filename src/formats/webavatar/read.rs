@@ -83,6 +83,7 @@ pub fn from_bytes(
             joint: skin.joint,
             joint_weight: skin.weight,
             node: influence.iter().map(|near| near.node).collect(),
+            facing: vec![],
         },
         skeleton: read_skeleton(&mut file)?,
         parts: Parts {

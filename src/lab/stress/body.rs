@@ -156,6 +156,7 @@ fn gaussians(
         joint: bound.iter().map(|bound| bound.joint).collect(),
         joint_weight: bound.iter().map(|bound| bound.weight).collect(),
         node: points.iter().map(|&p| nearest(nodes, p)).collect(),
+        facing: vec![],
     }
 }
 

@@ -6,7 +6,7 @@ use super::{
     adversarial, body::below, bound::BoundScene, category::Category, draft::Draft, small::Small,
 };
 use effigy_core::{
-    avatar::{Avatar, Filter, Pose},
+    avatar::{Avatar, Filter, Pose, facing},
     frame::Skip,
     random::Random,
     reference::{self, Culled, project::Gaussian},
@@ -28,6 +28,11 @@ const SMALL_ROUNDS: u64 = 4;
 /// The last of so many rounds of categories is drawn with random filters; the others with that of
 /// 3DGS, so that their cases stay what they were before there were filters.
 const FILTER_ROUNDS: u64 = 3;
+/// Makes the seed of a case's cones differ from that of the rest ("facing!").
+const FACING_SEED: u64 = 0x6661_6369_6e67_2121;
+/// In the last of so many rounds of categories Gaussians are drawn from random cones; in the others
+/// from everywhere, so that their cases stay what they were before there were cones.
+const FACING_ROUNDS: u64 = 5;
 /// Moves of the camera that are tried to keep Gaussians off the edges of culling.
 const MAX_MOVES: usize = 100;
 
@@ -148,6 +153,7 @@ impl StressCase {
         if category == Category::NearPlane {
             let mut case = Self::on_the_near_plane(random, options_random, number);
             case.choose_filter(seed);
+            case.choose_facing(seed);
             return case;
         }
         let mut draft = Draft::new(random);
@@ -173,6 +179,7 @@ impl StressCase {
         };
         case.choose_size(seed);
         case.choose_filter(seed);
+        case.choose_facing(seed);
         case.keep_off_culling_edges();
         case
     }
@@ -202,6 +209,26 @@ impl StressCase {
         }
         let filter = self.scene().filter();
         self.note += &format!("; low-pass of {filter} px²");
+    }
+
+    /// Gives each Gaussian, its levels' too, a random cone in rounds that have them; of eight one is
+    /// drawn from everywhere and one from nowhere.
+    fn choose_facing(&mut self, seed: u64) {
+        if (self.number / Category::ROUND) % FACING_ROUNDS != FACING_ROUNDS - 1 {
+            return;
+        }
+        let random = &mut Random::new(seed ^ FACING_SEED, self.number);
+        let levels = self.avatar.levels.iter_mut();
+        let sets = levels.map(|level| &mut level.gaussians);
+        for gaussians in std::iter::once(&mut self.avatar.gaussians).chain(sets) {
+            let code = |_| match below(random, 8) {
+                0 => facing::EVERYWHERE,
+                1 => facing::NOWHERE,
+                _ => std::array::from_fn(|_| below(random, 256) as u8),
+            };
+            gaussians.facing = (0..gaussians.len()).map(code).collect();
+        }
+        self.note += "; random cones";
     }
 
     fn on_the_near_plane(random: &mut Random, options_random: &mut Random, number: u64) -> Self {

@@ -440,5 +440,6 @@ fn gaussians(points: &[&GaussianPoint], node: Vec<[u16; 3]>, bounds: Bounds) -> 
         joint: points.iter().map(|point| point.weights.joint).collect(),
         joint_weight: points.iter().map(|point| point.weights.weight).collect(),
         node,
+        facing: vec![],
     }
 }

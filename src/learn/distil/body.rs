@@ -115,6 +115,7 @@ impl UntrainedAvatar {
             joint: skins.iter().map(|skin| skin.joint).collect(),
             joint_weight: skins.iter().map(|skin| skin.weight).collect(),
             node: order.iter().map(node).collect(),
+            facing: vec![],
         };
         let node_count = positions.nodes.len();
         let nodes = Nodes {

@@ -15,7 +15,7 @@
 //! Colour is 0.5 + Y₀ sh₀ + Y₁(d) · sh₁, not below 0, for the direction d from the Gaussian to the
 //! camera, turned back by G₃ₓ₃ᵀ.
 
-use effigy_core::avatar::{Activation, Pose};
+use effigy_core::avatar::{Activation, Facing, Pose};
 use effigy_core::constants::{FEATURE_MAX, LEAKY_SLOPE};
 use effigy_core::io::file::FormatError;
 use effigy_core::reference::project;
@@ -343,6 +343,7 @@ impl Teacher<'_, '_> {
                     * DMat3::from_diagonal(DVec3::from(look.log_scale[k]).exp()),
                 color: color.clamp(DVec3::ZERO, DVec3::ONE),
                 opacity: (255.0 * look.opacity[k]).round() as u8,
+                facing: Facing::EVERYWHERE,
             }
         };
         (0..look.position.len())

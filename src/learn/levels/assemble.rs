@@ -242,6 +242,7 @@ pub fn level(avatar: &Avatar, parts: &[Vec<Blob>], color_rows: usize) -> Level {
             joint: all.iter().map(|merged| merged.joint).collect(),
             joint_weight: all.iter().map(|merged| merged.joint_weight).collect(),
             node: all.iter().map(|merged| merged.node).collect(),
+            facing: vec![],
         },
         part_start: start,
         sh,
@@ -250,7 +251,7 @@ pub fn level(avatar: &Avatar, parts: &[Vec<Blob>], color_rows: usize) -> Level {
 }
 
 /// No rows, of the same kind.
-fn no_rows<const C: usize>(rows: &Rows<C>) -> Rows<C> {
+pub fn no_rows<const C: usize>(rows: &Rows<C>) -> Rows<C> {
     Rows {
         gaussian: vec![],
         basis: rows.basis.pick(&[], 0),

@@ -91,11 +91,11 @@ const MOST: f32 = ALPHA_MAX as f32;
 
 impl Blended {
     /// Draws splats into a transparent image. `seen` is called for each splat with the sum over all
-    /// pixels of what it contributes.
+    /// pixels of what it contributes, and the largest of it.
     pub fn new(
         splats: &[Option<LevelSplat>],
         size: [u32; 2],
-        mut seen: impl FnMut(usize, f32),
+        mut seen: impl FnMut(usize, f32, f32),
     ) -> Self {
         let mut order: Vec<u32> = (0..splats.len() as u32)
             .filter(|&k| splats[k as usize].is_some())
@@ -112,6 +112,7 @@ impl Blended {
             };
             let color = splat.color.extend(1.0);
             let mut sum = 0.0;
+            let mut largest = 0f32;
             for y in rows(splat, height) {
                 let span = span(splat, y, width);
                 for x in span.columns.clone() {
@@ -128,9 +129,10 @@ impl Blended {
                     through[pixel] = before * (1.0 - alpha);
                     end[pixel] = at as u32 + 1;
                     sum += before * alpha;
+                    largest = largest.max(before * alpha);
                 }
             }
-            seen(k as usize, sum);
+            seen(k as usize, sum, largest);
         }
         Self {
             order,
@@ -266,7 +268,7 @@ mod tests {
     }
 
     fn draw(projection: &Projection, shapes: &[FittedShape], placed: &[PosedGaussian]) -> Blended {
-        Blended::new(&splats(projection, shapes, placed), SIZE, |_, _| ())
+        Blended::new(&splats(projection, shapes, placed), SIZE, |_, _, _| ())
     }
 
     fn splats(

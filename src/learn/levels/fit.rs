@@ -124,7 +124,7 @@ fn gradients(
         .zip(placed)
         .map(|(shape, placed)| projection.splat(shape, placed))
         .collect();
-    let blended = Blended::new(&splats, camera.size, |_, _| ());
+    let blended = Blended::new(&splats, camera.size, |_, _, _| ());
     let image = blended.image.averaged(samples as u32);
     let truth = target.truth(units);
     let covered = truth

@@ -15,7 +15,7 @@ const MOST_DB: f64 = 100.0;
 pub fn draw(avatar: &Avatar, target: &LevelTarget, units: usize, samples: usize) -> FrameImage {
     let splats = whole_splats(avatar, &target.view, units * samples);
     let size = target.view.camera_at(units * samples).size;
-    Blended::new(&splats, size, |_, _| ())
+    Blended::new(&splats, size, |_, _, _| ())
         .image
         .averaged(samples as u32)
 }
@@ -98,7 +98,7 @@ mod tests {
                 let camera = view.camera_at(8);
                 let expected = reference::render(&avatar, &view.posed, &camera);
                 let splats = whole_splats(&avatar, view, 8);
-                let got = Blended::new(&splats, camera.size, |_, _| ()).image;
+                let got = Blended::new(&splats, camera.size, |_, _, _| ()).image;
                 // Contributions at the cutoff may be there or not, and depths that f32 can't tell
                 // apart change places.
                 let error = error::between(&got, &expected).covered;

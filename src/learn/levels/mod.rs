@@ -21,4 +21,8 @@ mod splats;
 mod still;
 mod views;
 
+pub(crate) use blend::Blended;
+pub(crate) use pose::{placed, shapes};
+pub(crate) use splats::Projection;
+
 pub use make::{LevelOptions, LevelPoses, LevelProgress, levels_of};

@@ -1,6 +1,7 @@
 //! The avatar without networks: the mean of its correctives over some poses is in its Gaussians.
 
-use effigy_core::avatar::{Avatar, Inputs, Networks, Nodes, Rows};
+use super::assemble::no_rows;
+use effigy_core::avatar::{Avatar, Inputs, Networks, Nodes};
 use effigy_core::constants::F16_MAX;
 use effigy_core::reference::{
     basis::corrective,
@@ -56,9 +57,9 @@ pub fn still(avatar: &Avatar, inputs: &[Vec<f64>]) -> Avatar {
             layers: vec![],
             ..avatar.networks.clone()
         },
-        rotation_rows: Rows::default(),
-        scale_rows: Rows::default(),
-        color_rows: Rows::default(),
+        rotation_rows: no_rows(&avatar.rotation_rows),
+        scale_rows: no_rows(&avatar.scale_rows),
+        color_rows: no_rows(&avatar.color_rows),
         nodes: Nodes::still(),
         inputs: Inputs::none(),
         ..avatar.clone()

@@ -141,7 +141,7 @@ pub fn targets(
             let splats = whole_splats(avatar, view, units);
             let mut own = vec![0.0; splats.len()];
             let size = view.camera_at(units).size;
-            let blended = Blended::new(&splats, size, |k, sum| own[k] = sum);
+            let blended = Blended::new(&splats, size, |k, sum, _| own[k] = sum);
             let truth = blended.image.averaged(SUPERSAMPLING as u32);
             let target = LevelTarget {
                 view: view.clone(),

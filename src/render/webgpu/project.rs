@@ -12,12 +12,12 @@ use super::{
 };
 use crate::wgsl;
 use effigy_core::{
-    frame::{DEPTH_KEYS, RendererOptions, Skinning, Skip, capacity::Capacity},
-    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
+    frame::{CullReasons, DEPTH_KEYS, RendererOptions, Skinning, Skip, capacity::Capacity},
+    layout::{FrameBlock, PROJECT_WORKGROUP},
 };
 
 /// Bytes of the counts of culled Gaussians, one a reason, before the sort's counts.
-pub const REASONS: u64 = 12;
+pub const REASONS: u64 = 4 * CullReasons::COUNT as u64;
 /// Where in the counts those of the sort start, bytes.
 const COUNTS_AT: u64 = 256;
 
@@ -37,6 +37,8 @@ pub struct Project {
     /// The capacity, Gaussians: those of all avatars.
     capacity: u32,
     cache_start: u32,
+    /// Words of a Gaussian in the pose cache.
+    cache_words: u32,
     /// Splats, keys, and the pose cache.
     buffer: Buffer,
     /// Reasons, then the sort's counts: all that atomics add to.
@@ -56,10 +58,11 @@ impl Project {
         // Whether frames in which only the camera moves use the pose cache.
         let caches = options.skip.contains(Skip::SKINNING);
         let keys = DEPTH_KEYS.bytes(u64::from(capacity));
+        let cache_words = model.constants(0).pose_cache_words();
         let posed = (key_offset(capacity) + keys).next_multiple_of(256);
         let size = posed
             + if caches {
-                4 * u64::from(POSE_CACHE_WORDS) * u64::from(capacity)
+                4 * u64::from(cache_words) * u64::from(capacity)
             } else {
                 0
             };
@@ -86,6 +89,7 @@ impl Project {
             caching: caches.then(caching),
             capacity,
             cache_start: (posed / 4) as u32,
+            cache_words,
             buffer,
             counts,
         };
@@ -113,7 +117,7 @@ impl Project {
     /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among
     /// those of all avatars, Gaussians.
     pub fn fill_instance(&self, block: &mut FrameBlock, first: u32) {
-        block.cache_start = self.cache_start + POSE_CACHE_WORDS * first;
+        block.cache_start = self.cache_start + self.cache_words * first;
     }
 
     /// Writes to a frame's block where the buffers of all avatars start.

@@ -4,6 +4,7 @@
 use crate::common::{self, Sizes, gpu};
 use effigy_core::{
     avatar::{Avatar, Filter},
+    constants::FACING_FADE,
     frame::{CullReasons, Skip},
     io::pack::PackQuality,
     layout::{CenterGrids, POSITION_BITS, SORT_CULLED, compact::NodeBits},
@@ -58,6 +59,8 @@ struct Tolerance {
     axes: f64,
     /// Its colour, 0 to 1.
     color: f64,
+    /// How much of its opacity is left of what faces away.
+    fade: f64,
 }
 
 /// Rounding of a splat that the reference does not model: of the nodes' weights and displacements,
@@ -97,23 +100,52 @@ fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, cached: bool) -> T
     // A little nearer is a little larger, and seen a little more from the side.
     axes += (expected.covariance[0] + expected.covariance[2]).sqrt() * offset / expected.depth
         * (1.0 + slope.length());
+    let fade = match facing(frame, at, cached) {
+        Some([fade, off]) if fade < 1.0 + off => off,
+        _ => 0.0,
+    };
     // The pose cache rounds it to ten bits once more; the reference's are f16.
     Tolerance {
+        fade,
         center: offset * pixels,
         axes,
         color: if cached { 0.5 / 1023.0 } else { 0.0 } + 2.6e-4,
     }
 }
 
-/// By how much a splat's opacity may be off: half a step where it was compensated, and what an error
-/// e of the axes does to that. The factor is A / √(A² + k T + k²), and A, the area of the projected
-/// axes, is off by no more than 2 e √T, whose square T is.
+/// By how much a splat's opacity may be off: half a step where it was compensated or faces away, and
+/// what errors do to that. The factor of compensation is A / √(A² + k T + k²), and A, the area of the
+/// projected axes, is off by no more than 2 e √T, whose square T is, for an error e of the axes.
 fn opacity_tolerance(filter: Filter, tolerance: Tolerance) -> f64 {
-    if filter.compensated {
-        0.502 / 255.0 + 2.0 * tolerance.axes / filter.variance.sqrt()
+    let compensation = if filter.compensated {
+        2.0 * tolerance.axes / filter.variance.sqrt()
+    } else {
+        0.0
+    };
+    let rounding = if filter.compensated || tolerance.fade > 0.0 {
+        0.502 / 255.0
     } else {
         1e-6
+    };
+    rounding + compensation + tolerance.fade
+}
+
+/// The cosine between a Gaussian's axis and the direction to the camera, less that at which it
+/// vanishes, in steps of what it fades over; and how far that may be off.
+fn facing(frame: &gpu::Frame, at: usize, cached: bool) -> Option<[f64; 2]> {
+    if frame.avatar.gaussians.facing.is_empty() {
+        return None;
     }
+    let own = frame.reference.gaussians[at].facing;
+    let to_camera = (frame.camera.eye() - own_mean(frame, at)).normalize();
+    let cosine = own.axis.normalize().dot(to_camera);
+    // The pose cache has 12 bits a coordinate of the octahedral map.
+    let off = if cached { 1e-3 } else { 1e-4 };
+    Some([(cosine - own.limit) / FACING_FADE, off / FACING_FADE])
+}
+
+fn own_mean(frame: &gpu::Frame, at: usize) -> DVec3 {
+    frame.reference.gaussians[at].mean
 }
 
 /// How far a splat is from the reference's, each number as a share of what is allowed.
@@ -146,6 +178,9 @@ fn error(got: &Unpacked, expected: &Splat, step: f64, filter: Filter, tolerance:
 /// Whether the reference's decision hangs on less than the device can tell.
 fn close_call(frame: &gpu::Frame, at: usize, cached: bool) -> bool {
     let by = if cached { [2e-4, 2e-1] } else { [1e-5, 2e-2] };
+    if facing(frame, at, cached).is_some_and(|[fade, off]| fade.abs() < off) {
+        return true;
+    }
     let shifted = |sign: f64| {
         let camera = Camera {
             near: frame.camera.near + sign * by[0],
@@ -163,11 +198,11 @@ fn close_call(frame: &gpu::Frame, at: usize, cached: bool) -> bool {
     shifted(1.0) != shifted(-1.0)
 }
 
-/// Whether what compensation leaves of the opacity may round to what is too faint.
+/// Whether what compensation and facing leave of the opacity may round to what is too faint.
 fn may_fade(frame: &gpu::Frame, at: usize, expected: &Splat, cached: bool) -> bool {
     let filter = frame.avatar.filter;
     let off = opacity_tolerance(filter, tolerance(frame, at, expected, cached));
-    filter.compensated && expected.opacity - off <= 1.0 / 255.0
+    off > 1e-3 && expected.opacity - off <= 1.0 / 255.0
 }
 
 fn check(frame: &gpu::Frame) {
@@ -221,7 +256,7 @@ fn check_reasons(frame: &gpu::Frame, cached: bool) {
     let counters = &frame.report.counters;
     let Some(got) = counters.reasons else { return };
     assert_eq!(
-        got.outside + got.faint + got.degenerate + counters.skipped_by_detail,
+        got.outside + got.away + got.faint + got.degenerate + counters.skipped_by_detail,
         counters.culled
     );
     assert_eq!(
@@ -246,6 +281,7 @@ fn check_reasons(frame: &gpu::Frame, cached: bool) {
                 &mut expected.faint
             }
             Culled::Behind | Culled::Outside => &mut expected.outside,
+            Culled::Away => &mut expected.away,
             Culled::Invalid => &mut expected.degenerate,
         };
         *count += 1;
@@ -260,6 +296,7 @@ fn check_reasons(frame: &gpu::Frame, cached: bool) {
         + either;
     for (got, expected) in [
         (got.outside, expected.outside),
+        (got.away, expected.away),
         (got.degenerate, expected.degenerate),
         (got.faint, expected.faint),
     ] {
@@ -321,7 +358,13 @@ fn compare() {
                 ..options(seed, [500, 300])
             };
             let options = gpu::at_level(options, level);
-            check(&gpu::frame(&device, seed, sizes, options));
+            let avatar = common::avatar(seed, sizes);
+            let avatar = if level == 0 {
+                common::faced(avatar)
+            } else {
+                avatar
+            };
+            check(&gpu::frame_of(&device, avatar, seed, options));
         }
     }
 }
@@ -437,7 +480,7 @@ fn adversarial_gaussians_and_cameras_agree_too() {
             let camera = Camera::orbit(target, 0.3, 0.1, distance, fov, [300, 200]);
             check(&gpu::draw(
                 &device,
-                avatar.clone(),
+                common::faced(avatar.clone()),
                 posed.clone(),
                 camera,
                 gpu::at_level(options(seed, [300, 200]), seed as u32),
@@ -537,9 +580,9 @@ fn gaussians_of_no_size_are_as_large_as_the_low_pass() {
 fn splats_from_the_pose_cache_agree_with_the_reference() {
     let device = gpu::gpu();
     let avatars = [
-        (common::avatar(1, Sizes::default()), 1.0),
+        (common::faced(common::avatar(1, Sizes::default())), 1.0),
         (adversarial(1), 1.0),
-        (adversarial(0), 1e-3),
+        (common::faced(adversarial(0)), 1e-3),
         (adversarial(0), 500.0),
     ];
     for ((avatar, scale), level) in avatars.into_iter().zip([0, 0, 1, 2]) {
@@ -588,14 +631,14 @@ fn splats_from_the_pose_cache_agree_with_the_reference() {
 }
 
 fn each_reason_to_cull_occurs_in_the_adversarial_frames() {
-    let avatar = adversarial(0);
+    let avatar = common::faced(adversarial(0));
     let posed = Posed::new(&avatar, &common::pose(0, &avatar));
     let [min, max] = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
     let seen = CAMERAS.map(|(distance, fov)| {
         let camera = Camera::orbit((min + max) / 2.0, 0.3, 0.1, distance, fov, [300, 200]);
         effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera).splats
     });
-    for reason in [Culled::Behind, Culled::Faint, Culled::Outside] {
+    for reason in [Culled::Behind, Culled::Away, Culled::Faint, Culled::Outside] {
         assert!(
             seen.iter()
                 .flatten()

@@ -236,6 +236,29 @@ fn demo_poses(seconds: &[f64]) -> Vec<Posed> {
         .collect()
 }
 
+/// Without the switch all is drawn, to the bit as if no Gaussian had a cone.
+fn what_faces_away_is_drawn_where_it_is_not_skipped() {
+    let device = gpu::gpu();
+    let avatar = common::avatar(4, Sizes::default());
+    let faced = common::faced(avatar.clone());
+    let posed = Posed::new(&avatar, &common::pose(5, &avatar));
+    let own = gpu::options([200, 240]);
+    let camera = gpu::camera(&avatar, &posed, own.size);
+    let draw = |avatar: &Avatar, skip: Skip| {
+        let options = RendererOptions { skip, ..own };
+        let frame = gpu::draw(&device, avatar.clone(), posed.clone(), camera, options);
+        (frame.image, frame.report.counters.drawn)
+    };
+    let whole = draw(&avatar, own.skip);
+    assert!(draw(&faced, own.skip - Skip::FACING) == whole);
+    let (image, drawn) = draw(&faced, own.skip);
+    assert!(
+        image != whole.0 && 10 * drawn < 8 * whole.1,
+        "{drawn} of {}",
+        whole.1
+    );
+}
+
 /// Images drawn from the pose cache are the same but for its rounding, and a new pose fills it
 /// anew.
 fn a_still_body_comes_from_the_pose_cache_and_does_not_jump() {
@@ -402,6 +425,7 @@ tests! {
     full_pixels_take_no_more_within_the_budget[CooperativeTiles],
     full_pixels_take_no_more_within_the_budget[SharedTiles],
     a_still_body_comes_from_the_pose_cache_and_does_not_jump,
+    what_faces_away_is_drawn_where_it_is_not_skipped,
     parts_outside_the_view_wait_for_it,
     only_a_box_around_the_avatar_is_drawn[Quads],
     only_a_box_around_the_avatar_is_drawn[CooperativeTiles],

@@ -349,6 +349,7 @@ fn the_order_is_that_of_a_stable_sort() {
 fn only_what_changed_is_drawn_again(raster: Raster) {
     let device = open();
     let (avatar, posed, camera) = scene([320, 320]);
+    let avatar = common::faced(avatar);
     // All Gaussians, and every second.
     let level = u32::from(raster == Quads);
     let options = RendererOptions {
@@ -382,8 +383,10 @@ fn only_what_changed_is_drawn_again(raster: Raster) {
         Skinning::Cached
     );
     let reasons = counters.reasons.unwrap();
+    assert!(reasons.away > 100, "{reasons:?}");
     assert_eq!(
         reasons.outside
+            + reasons.away
             + reasons.faint
             + reasons.degenerate
             + counters.drawn

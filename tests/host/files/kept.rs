@@ -3,6 +3,7 @@
 //! written again.
 
 use super::{bare, clip_bytes, scans::scan, tiny};
+use crate::common;
 use effigy_core::{
     avatar::{Avatar, Clip, Filter},
     io::pack::PackQuality,
@@ -83,6 +84,19 @@ fn splats_of_version_4_are_read() {
     }
 }
 
+fn avatars_of_version_5_are_read() {
+    let faced = common::with_levels(common::faced(bare()));
+    let packed = faced.packed(PackQuality::Small);
+    for (name, avatar) in [("5.avatar", faced), ("5-small.avatar", packed)] {
+        let write = || match name {
+            "5.avatar" => avatar.to_bytes().unwrap(),
+            _ => avatar.to_packed_bytes().unwrap(),
+        };
+        let read = Avatar::from_bytes(&bytes(name, write)).unwrap();
+        assert_eq!(read, avatar, "{name}");
+    }
+}
+
 fn levels_of_detail_are_read() {
     let packed = tiny().packed(PackQuality::High);
     let write = || packed.to_packed_bytes().unwrap();
@@ -100,6 +114,7 @@ tests! {
     avatars_of_version_2_are_read,
     avatars_of_version_3_are_read,
     splats_of_version_4_are_read,
+    avatars_of_version_5_are_read,
     levels_of_detail_are_read,
     motion_of_version_1_is_read,
 }

@@ -1,7 +1,7 @@
 //! A file that breaks any one rule of the format is refused, and the sentence names what breaks it.
 
 use super::edit::Edit;
-use super::{avatar_fault, clip_bytes, clip_fault, common, tiny, tiny_bytes};
+use super::{avatar_fault, bare, clip_bytes, clip_fault, common, tiny, tiny_bytes};
 use effigy_core::avatar::{Avatar, Filter};
 use half::f16;
 use serde_json::{Value, json};
@@ -225,8 +225,8 @@ fn metadata_that_breaks_a_rule_is_named() {
         ),
         (
             "/version",
-            json!(5),
-            "`version` found 5, expected 1 to 4, the only ones this program reads",
+            json!(6),
+            "`version` found 6, expected 1 to 5, the only ones this program reads",
         ),
         (
             "/units",
@@ -512,6 +512,22 @@ fn filters_that_break_a_rule_are_named() {
     }
 }
 
+fn a_facing_needs_its_version_and_every_set() {
+    let faced = common::with_levels(common::faced(bare()));
+    let mut edit = Edit::open(&faced.to_bytes().unwrap());
+    assert_eq!(edit.document["version"], json!(5));
+    edit.document["version"] = json!(4);
+    let fault = avatar_fault(&edit.bytes());
+    assert!(
+        fault.contains("`version` found 4, expected 5, as there is a facing"),
+        "{fault}"
+    );
+    let mut partly = faced.clone();
+    partly.levels[0].gaussians.facing.clear();
+    let fault = partly.check().expect_err("a level has none").to_string();
+    assert!(fault.contains("`level.0.facing` found"), "{fault}");
+}
+
 /// Files are of the lowest version that can hold them.
 fn a_filter_is_written_where_it_is_not_that_of_3dgs() {
     let document = |bytes: Vec<u8>| Edit::open(&bytes).document;
@@ -618,6 +634,7 @@ tests! {
     numbers_that_break_a_rule_are_named,
     metadata_that_breaks_a_rule_is_named,
     filters_that_break_a_rule_are_named,
+    a_facing_needs_its_version_and_every_set,
     a_filter_is_written_where_it_is_not_that_of_3dgs,
     motion_metadata_that_breaks_a_rule_is_named,
 }

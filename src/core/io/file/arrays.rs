@@ -42,6 +42,7 @@ impl AvatarHeader {
             joint: tensors.values(&name("joint")),
             joint_weight: self.joint_weights(&name("joint_weight"), tensors),
             node,
+            facing: tensors.values(&name("facing")),
         }
     }
 

@@ -193,8 +193,9 @@ impl PartialFile {
             Err(error) => return Err(error),
         };
         let is_own = match file.try_lock() {
-            // The one who wrote it may have renamed it before the lock was had.
-            Ok(()) => is_new || is_at(&file, &path),
+            // Another may have locked, written and renamed it before the lock was had, also what was
+            // created here.
+            Ok(()) => is_at(&file, &path),
             Err(TryLockError::WouldBlock) => false,
             // There are no locks here.
             Err(TryLockError::Error(_)) => is_new,

@@ -1,4 +1,4 @@
-//! The format of `NAME.avatar`, versions 1 to 4, and `NAME.motion`, version 1, in one place:
+//! The format of `NAME.avatar`, versions 1 to 5, and `NAME.motion`, version 1, in one place:
 //! [`AvatarHeader`] and [`ClipHeader`] are the metadata, [`AVATAR`] and [`MOTION`] the tensors. The
 //! writer, the reader's checks and `effigy inspect` all follow these tables.
 //!
@@ -20,6 +20,8 @@
 //!
 //! Version 4 is version 3 with `harmonics`, colours that depend on the view, or without networks: a
 //! scene of splats has the first and lacks the second.
+//!
+//! Version 5 is version 4 with a `facing`, directions from which Gaussians are drawn.
 //!
 //! Symbols: N_g `gaussians`, N_G `parts`, N_s `nodes`, N_B `basis` (a multiple of 4), J the number
 //! of `joints`, F `frames`.
@@ -45,6 +47,9 @@ pub const VERSION_FILTER: u64 = 3;
 /// The version of avatar files with spherical harmonics or without networks; all else as in
 /// version 3.
 pub const VERSION_SPLATS: u64 = 4;
+/// The version of avatar files with directions from which Gaussians are drawn; all else as in
+/// version 4.
+pub const VERSION_FACING: u64 = 5;
 /// `format` in the document of an avatar file.
 pub const AVATAR_FORMAT: &str = "effigy.avatar";
 /// `format` in the document of a motion file.
@@ -102,6 +107,9 @@ pub const AVATAR: &[TensorRow<AvatarHeader, Avatar>] = table! { h: AvatarHeader,
         "node.offset":    f16 [h.nodes, 3] length() = &a.nodes.offset, "displacement that no pose changes, metres";
         "skeleton.rest":  f32 [h.joints.len(), 3] length() = &a.skeleton.rest, "joints in the rest pose, metres";
         "skeleton.canonical": f32 [h.joints.len(), 3] finite() = &a.skeleton.canonical, "the canonical pose, axis-angle, radians";
+    }
+    h.sets() * usize::from(h.facing) => {
+        "@facing": u8 [h.set(k).gaussians, 3] any() = &set(a, k).gaussians.facing, "the axis and the limit of the cone from which it is drawn";
     }
     h.sets() * h.plain(Coded::Rotation) => {
         "@rotation": f16 [h.set(k).gaussians, 4] quaternion() = &set(a, k).gaussians.rotation, "quaternion w x y z, any length but 0";

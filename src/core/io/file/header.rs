@@ -12,7 +12,7 @@ pub struct AvatarHeader {
     /// "effigy.avatar"
     pub format: String,
     /// 1, or 2 where there are codes or deflated tensors, or 3 where there is a filter, or 4 where
-    /// there are spherical harmonics or no networks.
+    /// there are spherical harmonics or no networks, or 5 where there is a facing.
     pub version: u64,
     /// Name of the avatar.
     pub name: String,
@@ -77,6 +77,9 @@ pub struct AvatarHeader {
     /// Spherical harmonics, from version 4 on; absent where colours don't depend on the view.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub harmonics: Option<HarmonicsHeader>,
+    /// Whether there are directions from which Gaussians are drawn, from version 5 on.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub facing: bool,
     /// Levels of detail, each with fewer Gaussians than the one before; absent without any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub levels: Vec<LevelHeader>,

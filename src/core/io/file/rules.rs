@@ -6,11 +6,11 @@ use super::deflate::ByteArrangement;
 use super::document::{HeaderDocument, TensorRow};
 use super::error::{FormatError, excerpt};
 use super::format::{
-    AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_FILTER, VERSION_PACKED,
-    VERSION_SPLATS,
+    AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_FACING, VERSION_FILTER,
+    VERSION_PACKED, VERSION_SPLATS,
 };
 use super::header::{AvatarHeader, ClipHeader, HarmonicsHeader, LevelHeader};
-use super::sets;
+use super::sets::{self, SetArrays};
 use super::tensors::Tensors;
 use crate::avatar::{Avatar, Clip, Filter, Level, LevelError, Nodes, Parts, Subspace, limits};
 use std::collections::{BTreeMap, HashSet};
@@ -143,7 +143,7 @@ impl AvatarHeader {
             self.version >= VERSION_SPLATS,
             "version",
             self.version,
-            format_args!("{VERSION_SPLATS}, as there are harmonics"),
+            format_args!("{VERSION_SPLATS} or more, as there are harmonics"),
         )?;
         count("harmonics", degree, 1..=limits::HARMONICS)?;
         let Some(HarmonicCodes { step }) = codes else {
@@ -222,6 +222,12 @@ impl AvatarHeader {
     pub fn check_drawn(&self) -> Result<(), FormatError> {
         self.check_filter()?;
         self.check_harmonics()?;
+        ensure(
+            !self.facing || self.version >= VERSION_FACING,
+            "version",
+            self.version,
+            format_args!("{VERSION_FACING}, as there is a facing"),
+        )?;
         self.check_counts()?;
         self.check_levels()?;
         self.check_skeleton()?;
@@ -418,7 +424,7 @@ fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
 impl HeaderDocument for AvatarHeader {
     type Model = Avatar;
     const FORMAT: &'static str = AVATAR_FORMAT;
-    const VERSIONS: [u64; 2] = [VERSION, VERSION_SPLATS];
+    const VERSIONS: [u64; 2] = [VERSION, VERSION_FACING];
     const TENSORS: &'static [TensorRow<Self, Avatar>] = AVATAR;
 
     fn from_model(avatar: &Avatar) -> Self {
@@ -431,9 +437,12 @@ impl HeaderDocument for AvatarHeader {
             codes: None,
         });
         let widths = avatar.networks.widths();
+        let facing = SetArrays::all(avatar).any(|set| !set.gaussians.facing.is_empty());
         Self {
             format: AVATAR_FORMAT.into(),
-            version: if harmonics.is_some() || widths.is_empty() {
+            version: if facing {
+                VERSION_FACING
+            } else if harmonics.is_some() || widths.is_empty() {
                 VERSION_SPLATS
             } else if filter.is_some() {
                 VERSION_FILTER
@@ -469,6 +478,7 @@ impl HeaderDocument for AvatarHeader {
             deflated: BTreeMap::new(),
             filter,
             harmonics,
+            facing,
             levels: avatar.levels.iter().map(LevelHeader::from_level).collect(),
         }
     }

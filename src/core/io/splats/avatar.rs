@@ -181,6 +181,7 @@ impl Gaussians {
             joint: vec![[0; 4]; count],
             joint_weight: vec![[255, 0, 0, 0]; count],
             node: vec![[0; 3]; count],
+            facing: vec![],
         }
     }
 }

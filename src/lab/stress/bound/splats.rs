@@ -13,7 +13,7 @@ use super::{
 };
 use effigy_core::{
     avatar::{Avatar, LowPass, Rows},
-    constants::{ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX},
+    constants::{ALPHA_MAX, F16_MAX, FACING_FADE, LOG_SCALE_MAX, ROTATION_MIN, VARIANCE_MAX},
     frame::{Skip, pose_cache::PoseCache},
     layout::{CenterGrids, compact::NeutralGaussian},
     reference::{Gaussian, Splat, project},
@@ -47,6 +47,11 @@ const FIXED_SLACK: f64 = 0.125;
 const KEY_ROUNDING: f64 = 8.0 * F32;
 /// Roundings of an opacity's compensation: of a determinant, a quotient, a root and a product.
 const COMPENSATION_ROUNDINGS: f64 = 16.0;
+/// Largest angle by which the pose cache, which has 12 bits a coordinate of an octahedral map, turns
+/// the axis of a cone, radians.
+const CACHED_AXIS: f64 = 1e-3;
+/// Roundings of the cosine between that axis and the direction to the camera.
+const FACING_ROUNDINGS: f64 = 32.0;
 /// By how much f32 may move an opacity that is rounded to 255ths, beyond its relative error.
 const OPACITY_SLACK: f64 = 1e-4;
 /// How much larger an exponent than the cutoff's is looked at: splats whose interval is wider are
@@ -475,7 +480,11 @@ impl SplatInput<'_> {
             return false;
         };
         if !splat.has_variance_in_range(&ellipse, projection.relative_z)
-            || !splat.compensate(self.rounding, self.low_pass.compensation)
+            || !splat.fade(
+                self.rounding,
+                self.low_pass.compensation,
+                self.facing(splat.gaussian, posed),
+            )
         {
             return false;
         }
@@ -488,6 +497,33 @@ impl SplatInput<'_> {
         let margin = 1e-5;
         splat.far_exponent = (splat.opacity * (1.0 + relative) / splat.cutoff).ln() + margin;
         self.set_reach(splat, &ellipse, projection.center)
+    }
+
+    /// Least and largest share that is left of the opacity of what faces away. An error of the angle
+    /// between axis and direction changes the cosine by no more.
+    fn facing(&self, k: usize, posed: &Posed3) -> [f64; 2] {
+        if self.stored.gaussians.facing.is_empty() || !self.rounding.skip.contains(Skip::FACING) {
+            return [1.0; 2];
+        }
+        let own = self.gaussians[k].facing.moved(&self.camera.view.matrix3);
+        let (linear_size, _) = self.skinning_size(k, self.camera.view);
+        let axis_error =
+            FACING_ROUNDINGS * F32 * row_lengths(linear_size).length() / own.axis.length();
+        let cached = if self.cache.is_some() {
+            CACHED_AXIS
+        } else {
+            0.0
+        };
+        let direction_error = posed.mean_error.length() / posed.mean.length();
+        let off = axis_error + cached + direction_error + FACING_ROUNDINGS * F32;
+        let cosine = own
+            .axis
+            .normalize_or_zero()
+            .dot(-posed.mean.normalize_or_zero());
+        if !off.is_finite() {
+            return [0.0, 1.0];
+        }
+        [-off, off].map(|by| ((cosine + by - own.limit) / FACING_FADE).clamp(0.0, 1.0))
     }
 
     /// The axes of a splat, px, and their errors.
@@ -690,16 +726,17 @@ impl UncertainSplat {
         self.turn_f32 = SHAPE_ROUNDINGS * F32 * (a + c) / (2.0 * root).max(f64::MIN_POSITIVE);
     }
 
-    /// Multiplies the opacity by what the filter's compensation leaves, with what errors. False if
-    /// neither a device nor the reference draws the splat.
-    fn compensate(&mut self, rounding: &Rounding, share: f64) -> bool {
-        if share == 0.0 {
+    /// Multiplies the opacity by what the filter's compensation leaves, with what errors, and by what
+    /// facing leaves. False if neither a device nor the reference draws the splat.
+    fn fade(&mut self, rounding: &Rounding, share: f64, facing: [f64; 2]) -> bool {
+        if share == 0.0 && facing == [1.0; 2] {
             return true;
         }
         let neutral = 255.0 * self.opacity;
-        let [low, high] = self
+        let [least, most] = self
             .compensation()
             .map(|factor| neutral * (1.0 - share + share * factor));
+        let [low, high] = [least * facing[0], most * facing[1]];
         // A device rounds to 255ths: known exactly unless rounding may go either way.
         let low = (low - OPACITY_SLACK).round().max(0.0) / 255.0;
         let high = (high + OPACITY_SLACK).round() / 255.0;

@@ -3,7 +3,7 @@
 //!
 //! While only the camera moves, posed Gaussians come from a cache: the first such frame stores
 //! them, in its camera's space, and those after it only project them. There is no cache until a
-//! frame stores something. `shaders/project/pose_cache.glsl` has the 24 bytes of a Gaussian.
+//! frame stores something. `shaders/project/pose_cache.glsl` has the words of a Gaussian.
 
 use super::model::{GaussianSet, Model};
 use crate::vulkan::{
@@ -21,7 +21,7 @@ use effigy_core::{
         kernels::{self, KernelSpec},
         resource::Resource,
     },
-    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
+    layout::{FrameBlock, PROJECT_WORKGROUP},
 };
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -68,10 +68,12 @@ struct SplatBufferLayout {
     reasons: u64,
     /// Where the posed Gaussians start: the end while there is no cache.
     posed: u64,
+    /// Words of one of them.
+    cache_words: u32,
 }
 
 impl SplatBufferLayout {
-    fn new(count: u32, variant: SortVariant) -> Self {
+    fn new(count: u32, variant: SortVariant, cache_words: u32) -> Self {
         let start = (key_offset(count) + DEPTH_KEYS.bytes(u64::from(count))).next_multiple_of(256);
         let counts = counts_size(count, variant);
         let reasons = (start + counts).next_multiple_of(256);
@@ -80,12 +82,13 @@ impl SplatBufferLayout {
             counts: [start, counts],
             reasons,
             posed: reasons + 256,
+            cache_words,
         }
     }
 
     /// Bytes of the buffer with a pose cache.
     fn with_cache(&self) -> u64 {
-        self.posed + 4 * u64::from(POSE_CACHE_WORDS) * self.count
+        self.posed + 4 * u64::from(self.cache_words) * self.count
     }
 }
 
@@ -103,7 +106,8 @@ impl Project {
         let caches = options.skip.contains(Skip::SKINNING);
         let capacity =
             capacity.gaussians.saturating_add(CAPACITY_STEP - 1) / CAPACITY_STEP * CAPACITY_STEP;
-        let layout = SplatBufferLayout::new(capacity, variant);
+        let layout =
+            SplatBufferLayout::new(capacity, variant, model.own().constants.pose_cache_words());
         let counting = if options.count {
             [1, (layout.reasons / 4) as u32]
         } else {
@@ -175,7 +179,7 @@ impl Project {
     /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among
     /// those of all avatars, Gaussians.
     pub fn fill_instance(&self, block: &mut FrameBlock, first: u32) {
-        block.cache_start = (self.layout.posed / 4) as u32 + POSE_CACHE_WORDS * first;
+        block.cache_start = (self.layout.posed / 4) as u32 + self.layout.cache_words * first;
     }
 
     /// Writes to a frame's block where the buffers of all avatars start.

@@ -1,0 +1,76 @@
+//! From where each Gaussian of an avatar is drawn: a cone of the directions from which it shows.
+//!
+//! ```text
+//! poses ──→ views: from around and from near ──→ seen: directions in which a Gaussian shows ──→ cone
+//! ```
+
+mod cone;
+mod seen;
+mod views;
+
+use cone::cone;
+use effigy_core::avatar::{Avatar, Facing, FacingCode, facing, motion::Player};
+use glam::Vec3;
+use kiddo::{ImmutableKdTree, SquaredEuclidean};
+use rayon::prelude::*;
+use seen::directions;
+use std::num::NonZero;
+use views::views;
+
+/// Neighbours that say from where a Gaussian is drawn that no view shows: it may lie just beneath
+/// them, or in a gap that no view looked into.
+const NEIGHBOURS: NonZero<usize> = NonZero::new(6).expect("not 0");
+
+/// The avatar with a cone for each Gaussian, its levels' too, that leaves out where it never shows:
+/// in poses of the clips, and in random ones of those that the avatar was trained for. The given
+/// avatar is drawn from everywhere. `progress` is called with the number of views done and of all.
+///
+/// # Panics
+/// Where [`Avatar::check`] finds a fault.
+pub fn face(avatar: &Avatar, players: &[Player], progress: &mut dyn FnMut(usize, usize)) -> Avatar {
+    let mut faced = avatar.clone();
+    let sets: Vec<Avatar> = std::iter::once(Avatar {
+        levels: vec![],
+        ..faced.clone()
+    })
+    .chain(faced.levels.iter().map(|level| faced.at_level(level)))
+    .collect();
+    let views = views(&faced, players);
+    let all = views.len() * sets.len();
+    let mut codes: Vec<Vec<FacingCode>> = Vec::new();
+    for (set, drawn) in sets.iter().enumerate() {
+        let seen = directions(drawn, &views, &mut |done| {
+            progress(set * views.len() + done, all);
+        });
+        codes.push(codes_of(drawn, &seen));
+    }
+    let mut codes = codes.into_iter();
+    faced.gaussians.facing = codes.next().unwrap_or_default();
+    for (level, codes) in faced.levels.iter_mut().zip(codes) {
+        level.gaussians.facing = codes;
+    }
+    faced
+}
+
+/// The cones of Gaussians that show in these directions.
+fn codes_of(avatar: &Avatar, seen: &[Vec<Vec3>]) -> Vec<FacingCode> {
+    let shown: Vec<usize> = (0..seen.len()).filter(|&k| !seen[k].is_empty()).collect();
+    let points: Vec<[f64; 3]> = shown.iter().map(|&k| avatar.position(k).into()).collect();
+    let tree: ImmutableKdTree<f64, 3> = ImmutableKdTree::new_from_slice(&points);
+    let code = |k: usize| {
+        let cone = if seen[k].is_empty() {
+            let near = tree.nearest_n::<SquaredEuclidean>(&avatar.position(k).into(), NEIGHBOURS);
+            let of = |at: u64| seen[shown[at as usize]].iter().copied();
+            cone(
+                &near
+                    .iter()
+                    .flat_map(|near| of(near.item))
+                    .collect::<Vec<_>>(),
+            )
+        } else {
+            cone(&seen[k])
+        };
+        cone.map_or(facing::NOWHERE, Facing::encode)
+    };
+    (0..seen.len()).into_par_iter().map(code).collect()
+}

@@ -1,0 +1,57 @@
+//! The directions from which Gaussians show.
+
+use super::views::FacingView;
+use crate::levels::{Blended, Projection, placed, shapes};
+use effigy_core::avatar::Avatar;
+use effigy_core::constants::ALPHA_MIN;
+use effigy_core::reference::project::skinning;
+use glam::Vec3;
+use rayon::prelude::*;
+
+/// What a Gaussian is of a pixel at least where it shows. Less than that of several may be missing
+/// from a pixel (docs/experiments/072 has what other values keep and cost).
+const SHOWN: f64 = 4.0 * ALPHA_MIN;
+/// Views that are drawn side by side: more would take more memory.
+const BATCH: usize = 4;
+
+/// For each Gaussian the directions to the cameras, in the canonical pose, of the views in which it
+/// is at least 4/255 of a pixel. `progress` is called with the number of views done.
+pub fn directions(
+    avatar: &Avatar,
+    views: &[FacingView],
+    progress: &mut dyn FnMut(usize),
+) -> Vec<Vec<Vec3>> {
+    let shapes = shapes(avatar);
+    let mut directions = vec![Vec::new(); avatar.gaussians.len()];
+    for (batch, views) in views.chunks(BATCH).enumerate() {
+        let seen = |FacingView { posed, camera }: &FacingView| {
+            let projection = Projection::new(camera, avatar.filter);
+            let placed = placed(avatar, posed, camera);
+            let splats: Vec<_> = shapes
+                .iter()
+                .zip(&placed)
+                .map(|(shape, placed)| projection.splat(shape, placed))
+                .collect();
+            let mut shown = Vec::new();
+            Blended::new(&splats, camera.size, |k, _, largest| {
+                if f64::from(largest) >= SHOWN {
+                    shown.push(k);
+                }
+            });
+            let eye = camera.eye();
+            let direction = |k: usize| {
+                let gaussians = &avatar.gaussians;
+                let g = skinning(&posed.joints, gaussians.joint[k], gaussians.joint_weight[k]);
+                let back = g.matrix3.transpose() * (eye - placed[k].mean.as_dvec3());
+                (k, back.normalize_or_zero().as_vec3())
+            };
+            shown.into_iter().map(direction).collect::<Vec<_>>()
+        };
+        let seen: Vec<Vec<(usize, Vec3)>> = views.par_iter().map(seen).collect();
+        for (k, direction) in seen.into_iter().flatten() {
+            directions[k].push(direction);
+        }
+        progress(batch * BATCH + views.len());
+    }
+    directions
+}

@@ -1,0 +1,97 @@
+//! Views in which an avatar should look whole: all of it from all sides, and parts of it from near.
+
+use crate::poses;
+use effigy_core::avatar::{Avatar, motion::Player};
+use effigy_core::random::Random;
+use effigy_core::reference::project::skinning;
+use effigy_core::scene::{AvatarBounds, Camera, Posed};
+use effigy_measure::viewpoint::FOV;
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+/// Poses that are seen, half of them of clips where there are any.
+const POSES: usize = 64;
+/// Largest standard deviation by which joints are turned further in three of four poses, radians:
+/// what clothes and limbs hide shows in poses that no clip has.
+const TURNED: f64 = 0.8;
+/// Views of a pose from a distance at which all of it is in the image, or further.
+const AROUND: usize = 8;
+/// Views of a random Gaussian from near.
+const NEAR: usize = 4;
+/// Sides of an image, px.
+const SIDE: u32 = 640;
+/// Distances of near views, in those at which all of an avatar is in the image.
+const NEAR_DISTANCES: [f64; 2] = [0.12, 0.5];
+/// The furthest of the others.
+const FURTHEST: f64 = 2.0;
+/// Radians that cameras look down or up at most.
+const PITCH: f64 = 1.2;
+/// Decides poses and cameras.
+const SEED: u64 = 5;
+
+/// A pose and a camera.
+pub struct FacingView {
+    pub posed: Posed,
+    pub camera: Camera,
+}
+
+/// Views of an avatar in poses of clips and in random ones.
+pub fn views(avatar: &Avatar, players: &[Player]) -> Vec<FacingView> {
+    let of_clips = if players.is_empty() { 0 } else { POSES / 2 };
+    let mut poses = poses::from_clips(players, of_clips, 0.5);
+    poses.extend(poses::random(avatar, POSES - of_clips, SEED));
+    let bounds = AvatarBounds::new(avatar);
+    let gaussians = &avatar.gaussians;
+    let of_pose = |index: usize| {
+        let mut random = Random::new(SEED, index as u64);
+        let mut pose = poses[index % poses.len()].clone();
+        if !index.is_multiple_of(4) {
+            let deviation = random.range(0.0, TURNED);
+            for rotation in pose.rotation.iter_mut().skip(1) {
+                let turn = DVec3::new(random.normal(), random.normal(), random.normal());
+                *rotation += deviation * turn;
+            }
+        }
+        let posed = Posed::new(avatar, &pose);
+        let framing = bounds.framing(&posed.joints);
+        let size = [SIDE; 2];
+        let whole = Camera::framing_distance(framing.bounds, FOV, size);
+        let camera = |view: usize| {
+            let is_near = view >= AROUND;
+            let yaw =
+                TAU * (view as f64 + random.uniform()) / if is_near { NEAR } else { AROUND } as f64;
+            let pitch = random.range(-PITCH, PITCH);
+            let [least, most] = if is_near {
+                NEAR_DISTANCES
+            } else {
+                [1.0, FURTHEST]
+            };
+            let distance = whole * least * (most / least).powf(random.uniform());
+            let target = if is_near {
+                let of = (random.uniform() * gaussians.len() as f64) as usize;
+                let g = skinning(
+                    &posed.joints,
+                    gaussians.joint[of],
+                    gaussians.joint_weight[of],
+                );
+                g.transform_point3(avatar.position(of))
+            } else {
+                framing.middle()
+            };
+            // What is further away fills the image too.
+            let fov = if is_near { FOV } else { FOV * whole / distance };
+            Camera {
+                near: framing.near,
+                ..Camera::orbit(target, yaw, pitch, distance, fov, size)
+            }
+        };
+        (0..AROUND + NEAR)
+            .map(camera)
+            .map(|camera| FacingView {
+                posed: posed.clone(),
+                camera,
+            })
+            .collect::<Vec<_>>()
+    };
+    (0..POSES).flat_map(of_pose).collect()
+}
