@@ -43,8 +43,8 @@ pub struct Args {
     #[arg(long)]
     levels: bool,
     /// Also find from where each Gaussian shows, so that those that face away are not drawn: in the
-    /// poses of --motion, and in random ones of the poses that the avatar was trained for; takes
-    /// minutes
+    /// poses of --motion, in random ones of those that the avatar was trained for, and in wilder
+    /// ones; takes minutes
     #[arg(long)]
     facing: bool,
     /// Clip in whose poses the levels' errors are measured [default: other poses of the same kind]

@@ -22,8 +22,8 @@ use views::views;
 const NEIGHBOURS: NonZero<usize> = NonZero::new(6).expect("not 0");
 
 /// The avatar with a cone for each Gaussian, its levels' too, that leaves out where it never shows:
-/// in poses of the clips, and in random ones of those that the avatar was trained for. The given
-/// avatar is drawn from everywhere. `progress` is called with the number of views done and of all.
+/// in poses of the clips, in random ones of those that the avatar was trained for, and in wilder
+/// ones. The given avatar is drawn from everywhere. `progress` is called with the number of views done and of all.
 ///
 /// # Panics
 /// Where [`Avatar::check`] finds a fault.
@@ -61,12 +61,8 @@ fn codes_of(avatar: &Avatar, seen: &[Vec<Vec3>]) -> Vec<FacingCode> {
         let cone = if seen[k].is_empty() {
             let near = tree.nearest_n::<SquaredEuclidean>(&avatar.position(k).into(), NEIGHBOURS);
             let of = |at: u64| seen[shown[at as usize]].iter().copied();
-            cone(
-                &near
-                    .iter()
-                    .flat_map(|near| of(near.item))
-                    .collect::<Vec<_>>(),
-            )
+            let directions: Vec<Vec3> = near.iter().flat_map(|near| of(near.item)).collect();
+            cone(&directions)
         } else {
             cone(&seen[k])
         };

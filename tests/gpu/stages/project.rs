@@ -136,16 +136,13 @@ fn facing(frame: &gpu::Frame, at: usize, cached: bool) -> Option<[f64; 2]> {
     if frame.avatar.gaussians.facing.is_empty() {
         return None;
     }
-    let own = frame.reference.gaussians[at].facing;
-    let to_camera = (frame.camera.eye() - own_mean(frame, at)).normalize();
+    let gaussian = &frame.reference.gaussians[at];
+    let own = gaussian.facing;
+    let to_camera = (frame.camera.eye() - gaussian.mean).normalize();
     let cosine = own.axis.normalize().dot(to_camera);
     // The pose cache has 12 bits a coordinate of the octahedral map.
     let off = if cached { 1e-3 } else { 1e-4 };
     Some([(cosine - own.limit) / FACING_FADE, off / FACING_FADE])
-}
-
-fn own_mean(frame: &gpu::Frame, at: usize) -> DVec3 {
-    frame.reference.gaussians[at].mean
 }
 
 /// How far a splat is from the reference's, each number as a share of what is allowed.
