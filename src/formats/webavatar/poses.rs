@@ -145,12 +145,18 @@ struct PoseRecords<'a> {
     clip: &'a mut Clip,
     /// What is wrong with a frame.
     fault: Option<FormatError>,
+    /// Frames that the text has room for. Nothing is reserved before there is one.
+    most: usize,
 }
 
 impl PoseRecords<'_> {
     fn add(&mut self, frame: &PoseRecord) -> Result<(), FormatError> {
         let clip = &mut *self.clip;
         let at = clip.translation.len();
+        if at == 0 {
+            clip.rotation.reserve(self.most * clip.joint.len());
+            clip.translation.reserve(self.most);
+        }
         let field = |name: &str| format!("[{at}].{name}");
         let numbers = 3 * clip.joint.len();
         if frame.pose.len() != numbers {
@@ -292,14 +298,15 @@ pub fn read_poses(
         credit: String::new(),
         rate,
         joint: SMPL_X.iter().map(|joint| joint.name.into()).collect(),
-        rotation: Vec::with_capacity(most * joints),
-        translation: Vec::with_capacity(most),
+        rotation: vec![],
+        translation: vec![],
         expression: vec![],
         expression_len: 0,
     };
     let mut frames = PoseRecords {
         root: rest.map_or(DVec3::ZERO, |rest| DVec3::from(rest.map(f64::from))),
         clip: &mut clip,
+        most,
         fault: None,
     };
     let mut text = serde_json::Deserializer::from_slice(bytes);
