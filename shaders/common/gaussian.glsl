@@ -14,8 +14,8 @@
 //                            avatar says that
 //   one a Gaussian           RGB as the camera sees it, three f16; with spherical harmonics only
 //
-// The first three pairs give a Gaussian's position and size: but for where it faces, nothing else is
-// read of a culled one.
+// The first three pairs give a Gaussian's position and size: but for where it faces, nothing else
+// is read of a culled one.
 
 // Mean in canonical space, metres.
 vec3 gaussian_position(uvec2 words) {

@@ -38,7 +38,7 @@ vec3 cached_axis(uint word) {
 
 // How much of its opacity is left, 0 to 1. `axis` and the mean `p` are in camera space.
 float facing_fade(vec3 axis, uint limit_code, vec3 p) {
-    float limit = float(limit_code) / 120.0 - 1.0 - FACING_FADE;
+    float limit = float(limit_code) / FACING_STEPS - 1.0 - FACING_FADE;
     float lengths = sqrt(dot(axis, axis) * dot(p, p));
     float cosine = -dot(axis, p) / max(lengths, 1e-30);
     return clamp((cosine - limit) / FACING_FADE, 0.0, 1.0);

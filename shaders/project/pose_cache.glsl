@@ -1,6 +1,7 @@
-// The pose cache: a posed Gaussian, which stays valid while only the camera moves. Six words, or seven
-// where an avatar says from where its Gaussians are drawn, in the space of the camera for which they were written. A position has 24 bits a coordinate: with 16,
-// 30 µm on a body, Gaussians of nearly one depth change places.
+// The pose cache: a posed Gaussian, which stays valid while only the camera moves. Six words, or
+// seven where an avatar says from where its Gaussians are drawn, in the space of the camera for which
+// they were written. A position has 24 bits a coordinate: with 16, 30 µm on a body, Gaussians of
+// nearly one depth change places.
 //
 //   three for each Gaussian   x y (high 16 bits each) | z (high 16 bits), size (8 bits), opacity |
 //                             x, y, z (low 8 bits each)
@@ -8,6 +9,11 @@
 //                             each, and RGB, 10 bits each:
 //                             L00 L10, red | L11 L20, green | L21 L22, blue
 //   one for each Gaussian     where it faces (project/facing.glsl)
+
+// Where the word is that says where a Gaussian faces.
+uint cached_facing_at(uint index) {
+    return frame.cache_start + POSE_CACHE_WORDS * frame.drawn + index;
+}
 
 // Share of a coordinate's codes for what lies beyond each end of its range.
 const float CACHE_TAIL = 1.0 / 64.0;

@@ -1,6 +1,6 @@
 // From a Gaussian to a splat and its key (model.md, steps 2 and 4 to 8): sparse correctives, node
-// interpolation, skinning, facing, covariance, projection, culling, depth key. With STORE it also writes
-// the pose cache for `project_cached`, of all Gaussians that are drawn, visible or not.
+// interpolation, skinning, facing, covariance, projection, culling, depth key. With STORE it also
+// writes the pose cache for `project_cached`, of all Gaussians that are drawn, visible or not.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "common/platform.glsl"
@@ -135,12 +135,11 @@ uint project_gaussian(uint index) {
     if (frame.facing_start > i) {
         uvec2 pair = gaussians[frame.facing_start + (i >> 1u)];
         uint facing = (i & 1u) == 0u ? pair.x : pair.y;
-        vec3 axis = facing_axis(facing);
-        axis = vec3(dot(r0.xyz, axis), dot(r1.xyz, axis), dot(r2.xyz, axis));
+        vec3 axis = facing_axis(facing) * linear;
         uint limit = facing_limit_code(facing);
         fade = facing_fade(axis, limit, p);
         if (STORE) {
-            words[frame.cache_start + 6u * frame.drawn + index] = cache_facing(axis, limit);
+            words[cached_facing_at(index)] = cache_facing(axis, limit);
         }
         if (visible && fade <= 0.0) {
             count_culled(AWAY);

@@ -29,10 +29,8 @@ uint project_gaussian(uint index) {
     }
     float fade = 1.0;
     if (frame.facing_start > index) {
-        uint facing = words[frame.cache_start + 6u * frame.drawn + index];
-        vec3 axis = cached_axis(facing);
-        axis = vec3(dot(rows[0], axis), dot(rows[1], axis), dot(rows[2], axis));
-        fade = facing_fade(axis, facing >> 24u, p);
+        uint facing = words[cached_facing_at(index)];
+        fade = facing_fade(cached_axis(facing) * rows, facing >> 24u, p);
         if (fade <= 0.0) {
             count_culled(AWAY);
             return SORT_CULLED;

@@ -14,6 +14,8 @@ pub fn saturation_light(cutoff: f64) -> f64 {
 /// A Gaussian that faces away fades out over this difference of cosines, so that none appears at
 /// once (docs/model.md, step 8).
 pub const FACING_FADE: f64 = 0.125;
+/// Steps that the limit of a Gaussian's cone has for a cosine of 1.
+pub const FACING_STEPS: f64 = 120.0;
 /// No single Gaussian covers more of a pixel than this (docs/model.md, step 10).
 pub const ALPHA_MAX: f64 = 0.99;
 /// Distance of the near plane where a person is looked at, metres.

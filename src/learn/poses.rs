@@ -47,10 +47,7 @@ pub fn random(avatar: &Avatar, count: usize, seed: u64) -> Vec<Pose> {
                 }
             }
             None => {
-                for rotation in pose.rotation.iter_mut().skip(1) {
-                    *rotation =
-                        JOINT_SIGMA * DVec3::new(random.normal(), random.normal(), random.normal());
-                }
+                turn(&mut pose, JOINT_SIGMA, random);
             }
         }
         if let Some(space) = &avatar.inputs.expression_space {
@@ -59,6 +56,14 @@ pub fn random(avatar: &Avatar, count: usize, seed: u64) -> Vec<Pose> {
         pose
     };
     (0..count).map(pose).collect()
+}
+
+/// Turns every joint but the root further, by a rotation vector of this standard deviation along
+/// each axis, radians.
+pub fn turn(pose: &mut Pose, deviation: f64, random: &mut Random) {
+    for rotation in pose.rotation.iter_mut().skip(1) {
+        *rotation += deviation * DVec3::new(random.normal(), random.normal(), random.normal());
+    }
 }
 
 /// A random point of a subspace.

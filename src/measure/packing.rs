@@ -62,9 +62,9 @@ struct ReferenceView {
     reference: FrameImage,
 }
 
-/// Measures the original avatar, the same compressed without loss, then with where its Gaussians face
-/// if `faced` is that, and then each step of a quality. Returns these and the packed avatar. `progress` is called with what is being done, how many
-/// images are done, and how many there are.
+/// Measures the original avatar, the same compressed without loss, then with where its Gaussians
+/// face if `faced` is that, and then each step of a quality. Returns these and the packed avatar.
+/// `progress` is called with what is being done, how many images are done, and how many there are.
 ///
 /// # Errors
 /// When the avatar breaks a rule of its format.

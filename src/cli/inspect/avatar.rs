@@ -46,7 +46,7 @@ pub struct AvatarSummary {
     harmonics: usize,
     /// The low-pass that it was learned with.
     filter: Filter,
-    /// Share of all directions from which a Gaussian is not drawn, in the mean; 0 where it has no cone.
+    /// Share of all directions from which a Gaussian is not drawn, in the mean; 0 without cones.
     facing: f64,
     levels: Vec<LevelSummary>,
     tensors: Vec<TensorInfo>,

@@ -1,10 +1,11 @@
 //! From where a Gaussian is drawn (docs/model.md, step 8): what never shows from behind is left out
 //! there, before more of it is read than its place.
 
-use crate::constants::FACING_FADE;
+use crate::constants::{FACING_FADE, FACING_STEPS};
 use glam::{DMat3, DVec3};
 
-/// A cone of directions in three bytes: its axis by an octahedral map, 8 bits each, and its limit.
+/// A cone of directions in three bytes: its axis by an octahedral map, 8 bits each, and its limit,
+/// in [`FACING_STEPS`] from −1.125, where nothing fades, to 1, where nothing is drawn.
 /// A Gaussian is drawn from where the cosine between the axis and the direction to the camera is
 /// above the limit, and faded in over the [`FACING_FADE`] above it.
 pub type FacingCode = [u8; 3];
@@ -13,9 +14,6 @@ pub type FacingCode = [u8; 3];
 pub const EVERYWHERE: FacingCode = [0; 3];
 /// The code of one that is drawn from nowhere.
 pub const NOWHERE: FacingCode = [0, 0, 255];
-
-/// Steps of a limit: 120 for 1, from −1.125, where nothing fades, to 1, where nothing is drawn.
-const STEPS: f64 = 120.0;
 
 /// Where a Gaussian faces, in the canonical pose or in a posed world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +39,7 @@ impl Facing {
         let fold = |t: f64| if t >= 0.0 { t - below } else { t + below };
         Self {
             axis: DVec3::new(fold(u), fold(v), z).normalize(),
-            limit: f64::from(limit) / STEPS - 1.0 - FACING_FADE,
+            limit: f64::from(limit) / FACING_STEPS - 1.0 - FACING_FADE,
         }
     }
 
@@ -57,7 +55,7 @@ impl Facing {
             [(1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y)]
         };
         let code = |t: f64| (127.5 * (t + 1.0)).round() as u8;
-        let limit = (self.limit + 1.0 + FACING_FADE) * STEPS;
+        let limit = (self.limit + 1.0 + FACING_FADE) * FACING_STEPS;
         [code(u), code(v), limit.floor() as u8]
     }
 
@@ -95,7 +93,7 @@ mod tests {
             let decoded = Facing::decode(facing.encode());
             assert!(decoded.axis.dot(axis) > 1f64.to_radians().cos(), "{axis}");
             let down = facing.limit - decoded.limit;
-            assert!((0.0..1.0 / STEPS).contains(&down), "{facing:?}");
+            assert!((0.0..1.0 / FACING_STEPS).contains(&down), "{facing:?}");
         }
     }
 

@@ -90,6 +90,9 @@ pub struct CullReasons {
 impl CullReasons {
     /// How many there are.
     pub const COUNT: usize = 4;
+    /// Bytes of their counts on a device, a word each, in the order of the fields
+    /// (`shaders/project/culled.glsl`).
+    pub const BYTES: u64 = 4 * Self::COUNT as u64;
 }
 
 impl Counters {

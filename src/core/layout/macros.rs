@@ -9,8 +9,8 @@ use super::{
 use crate::{
     avatar::limits,
     constants::{
-        ALPHA_MAX, DETAIL_COARSEST, F16_MAX, FACING_FADE, FEATURE_MAX, LOG_SCALE_MAX, ROTATION_MIN,
-        VARIANCE_MAX,
+        ALPHA_MAX, DETAIL_COARSEST, F16_MAX, FACING_FADE, FACING_STEPS, FEATURE_MAX, LOG_SCALE_MAX,
+        ROTATION_MIN, VARIANCE_MAX,
     },
 };
 
@@ -85,6 +85,8 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("LOG_SCALE_MAX", Float(LOG_SCALE_MAX)),
     ("ALPHA_MAX", Float(ALPHA_MAX)),
     ("FACING_FADE", Float(FACING_FADE)),
+    ("FACING_STEPS", Float(FACING_STEPS)),
+    ("POSE_CACHE_WORDS", Uint(POSE_CACHE_WORDS)),
     ("ROTATION_MIN", Float(ROTATION_MIN)),
     ("VARIANCE_MAX", Float(VARIANCE_MAX)),
     ("NODE_BITS_MIN", Uint(NODE_BITS_MIN)),

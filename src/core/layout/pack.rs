@@ -45,16 +45,8 @@ pub fn constants(avatar: &Avatar) -> FrameBlock {
         log_scale_step: scales.step as f32,
         low_pass: avatar.filter.variance as f32,
         compensation: if avatar.filter.compensated { 1.0 } else { 0.0 },
-        facing_start: if facing_pairs(avatar) > 0 {
-            pairs(avatar) as u32
-        } else {
-            0
-        },
-        sh_color_start: if avatar.sh.is_some() {
-            (pairs(avatar) + facing_pairs(avatar)) as u32
-        } else {
-            0
-        },
+        facing_start: plane(pairs(avatar), facing_pairs(avatar)),
+        sh_color_start: plane(pairs(avatar) + facing_pairs(avatar), lit_pairs(avatar)),
         slope: match avatar.networks.activation {
             Activation::Relu => 0.0,
             Activation::LeakyRelu => LEAKY_SLOPE as f32,
@@ -301,6 +293,11 @@ fn pairs(avatar: &Avatar) -> usize {
 /// Pairs of words for where Gaussians face.
 fn facing_pairs(avatar: &Avatar) -> usize {
     avatar.gaussians.facing.len().div_ceil(2)
+}
+
+/// Where a plane of so many pairs starts, or 0 if there is none.
+fn plane(start: usize, pairs: usize) -> u32 {
+    if pairs > 0 { start as u32 } else { 0 }
 }
 
 /// Pairs of words of all planes.

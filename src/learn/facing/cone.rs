@@ -12,19 +12,20 @@ const STEPS: usize = 40;
 /// moves to what is furthest from it, less with each step.
 pub fn cone(directions: &[Vec3]) -> Option<Facing> {
     let furthest = |axis: Vec3| {
-        let cosines = directions.iter().map(|own| (own.dot(axis), *own));
-        cosines.min_by(|a, b| a.0.total_cmp(&b.0))
+        let all = directions.iter().copied();
+        all.min_by(|a, b| a.dot(axis).total_cmp(&b.dot(axis)))
     };
     let mut axis = directions.iter().sum::<Vec3>().normalize_or(Vec3::Z);
-    let (mut least, _) = furthest(axis)?;
+    let mut towards = furthest(axis)?;
     let mut best = axis;
+    let mut least = towards.dot(axis);
     for step in 0..STEPS {
-        let (_, towards) = furthest(axis)?;
         let share = 1.0 / (step as f32 + 2.0);
         axis = axis.lerp(towards, share).normalize_or(axis);
-        let (cosine, _) = furthest(axis)?;
-        if cosine > least {
-            (least, best) = (cosine, axis);
+        towards = furthest(axis)?;
+        if towards.dot(axis) > least {
+            best = axis;
+            least = towards.dot(axis);
         }
     }
     Some(Facing {

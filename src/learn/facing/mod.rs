@@ -1,7 +1,7 @@
 //! From where each Gaussian of an avatar is drawn: a cone of the directions from which it shows.
 //!
 //! ```text
-//! poses ──→ views: from around and from near ──→ seen: directions in which a Gaussian shows ──→ cone
+//! poses ──→ views: from around and from near ──→ seen: directions in which one shows ──→ cone
 //! ```
 
 mod cone;
@@ -23,31 +23,24 @@ const NEIGHBOURS: NonZero<usize> = NonZero::new(6).expect("not 0");
 
 /// The avatar with a cone for each Gaussian, its levels' too, that leaves out where it never shows:
 /// in poses of the clips, in random ones of those that the avatar was trained for, and in wilder
-/// ones. The given avatar is drawn from everywhere. `progress` is called with the number of views done and of all.
+/// ones. The given avatar is drawn from everywhere. `progress` is called with the number of views
+/// done and of all.
 ///
 /// # Panics
 /// Where [`Avatar::check`] finds a fault.
 pub fn face(avatar: &Avatar, players: &[Player], progress: &mut dyn FnMut(usize, usize)) -> Avatar {
+    let views = views(avatar, players);
+    let all = views.len() * (1 + avatar.levels.len());
+    let mut before = 0;
+    let mut codes = |drawn: &Avatar| {
+        let seen = directions(drawn, &views, &mut |done| progress(before + done, all));
+        before += views.len();
+        codes_of(drawn, &seen)
+    };
     let mut faced = avatar.clone();
-    let sets: Vec<Avatar> = std::iter::once(Avatar {
-        levels: vec![],
-        ..faced.clone()
-    })
-    .chain(faced.levels.iter().map(|level| faced.at_level(level)))
-    .collect();
-    let views = views(&faced, players);
-    let all = views.len() * sets.len();
-    let mut codes: Vec<Vec<FacingCode>> = Vec::new();
-    for (set, drawn) in sets.iter().enumerate() {
-        let seen = directions(drawn, &views, &mut |done| {
-            progress(set * views.len() + done, all);
-        });
-        codes.push(codes_of(drawn, &seen));
-    }
-    let mut codes = codes.into_iter();
-    faced.gaussians.facing = codes.next().unwrap_or_default();
-    for (level, codes) in faced.levels.iter_mut().zip(codes) {
-        level.gaussians.facing = codes;
+    faced.gaussians.facing = codes(avatar);
+    for (level, own) in faced.levels.iter_mut().zip(&avatar.levels) {
+        level.gaussians.facing = codes(&avatar.at_level(own));
     }
     faced
 }

@@ -6,7 +6,6 @@ use effigy_core::random::Random;
 use effigy_core::reference::project::skinning;
 use effigy_core::scene::{AvatarBounds, Camera, Posed};
 use effigy_measure::viewpoint::FOV;
-use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// Poses that are seen, half of them of clips where there are any.
@@ -47,10 +46,7 @@ pub fn views(avatar: &Avatar, players: &[Player]) -> Vec<FacingView> {
         let mut pose = poses[index % poses.len()].clone();
         if !index.is_multiple_of(4) {
             let deviation = random.range(0.0, TURNED);
-            for rotation in pose.rotation.iter_mut().skip(1) {
-                let turn = DVec3::new(random.normal(), random.normal(), random.normal());
-                *rotation += deviation * turn;
-            }
+            poses::turn(&mut pose, deviation, &mut random);
         }
         let posed = Posed::new(avatar, &pose);
         let framing = bounds.framing(&posed.joints);

@@ -6,10 +6,10 @@ use super::{
     device::Gpu,
     error::Result,
     owned::{Buffer, Owned, QuerySet},
-    project::{Project, REASONS},
+    project::Project,
 };
 use effigy_core::{
-    frame::{Counters, FrameReport, Stage, report::STAGES},
+    frame::{Counters, CullReasons, FrameReport, Stage, report::STAGES},
     layout::Control,
 };
 use std::sync::{
@@ -23,7 +23,7 @@ pub const FRAMES_IN_FLIGHT: usize = 2;
 /// Images that a frame draws avatars into: the atlas, and its own.
 const LAYERS: usize = 2;
 /// Bytes of a layer's counts.
-const LAYER_COUNTS: u64 = size_of::<Control>() as u64 + REASONS;
+const LAYER_COUNTS: u64 = size_of::<Control>() as u64 + CullReasons::BYTES;
 /// Bytes of all layers' counts, before the timestamps.
 const COUNTS: u64 = LAYERS as u64 * LAYER_COUNTS;
 /// Timestamps of a frame: one before its first stage, and one after each.
@@ -126,14 +126,14 @@ impl FrameInFlight {
         let (counts, ticks) = bytes.split_at(COUNTS as usize);
         // Sums over the layers.
         let mut control = Control::default();
-        let mut reasons = [0; REASONS as usize / 4];
+        let mut reasons = [0; CullReasons::COUNT];
         let layers = counts.chunks_exact(LAYER_COUNTS as usize);
         for layer in layers.take(self.kept_layers as usize) {
             let (own, culled) = layer.split_at(size_of::<Control>());
             let own: Control = bytemuck::pod_read_unaligned(own);
             control.visible_count += own.visible_count;
             control.fragments += own.fragments;
-            let culled: [u32; REASONS as usize / 4] = bytemuck::pod_read_unaligned(culled);
+            let culled: [u32; CullReasons::COUNT] = bytemuck::pod_read_unaligned(culled);
             for (sum, count) in reasons.iter_mut().zip(culled) {
                 *sum += count;
             }
@@ -241,7 +241,12 @@ impl FrameInFlight {
         };
         copy(control, 0, start, size);
         let reasons = splats.reasons();
-        copy(reasons.buffer, reasons.offset, start + size, REASONS);
+        copy(
+            reasons.buffer,
+            reasons.offset,
+            start + size,
+            CullReasons::BYTES,
+        );
     }
 
     /// Copies the frame's counts, submits it, and has them mapped when it is done.

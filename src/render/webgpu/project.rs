@@ -16,8 +16,6 @@ use effigy_core::{
     layout::{FrameBlock, PROJECT_WORKGROUP},
 };
 
-/// Bytes of the counts of culled Gaussians, one a reason, before the sort's counts.
-pub const REASONS: u64 = 4 * CullReasons::COUNT as u64;
 /// Where in the counts those of the sort start, bytes.
 const COUNTS_AT: u64 = 256;
 
@@ -149,12 +147,12 @@ impl Project {
         }
     }
 
-    /// How many Gaussians were culled for each reason: [`REASONS`] bytes.
+    /// How many Gaussians were culled for each reason: [`CullReasons::BYTES`].
     pub fn reasons(&self) -> Slice<'_> {
         Slice {
             buffer: &self.counts,
             offset: 0,
-            size: REASONS,
+            size: CullReasons::BYTES,
         }
     }
 

@@ -3,13 +3,7 @@
 use crate::vulkan::device::recording::Recording;
 use ash::vk;
 use bytemuck::bytes_of;
-use effigy_core::{
-    frame::CullReasons,
-    layout::{Control, QUADS_PER_INSTANCE},
-};
-
-/// Bytes of what counts the Gaussians left out for each reason (`shaders/project/culled.glsl`).
-pub const REASONS: u64 = 4 * CullReasons::COUNT as u64;
+use effigy_core::layout::{Control, QUADS_PER_INSTANCE};
 
 /// Counts before anything is sorted.
 pub(crate) fn control(key_count: u32) -> Control {

@@ -1,7 +1,6 @@
 //! Two frames in flight: a command buffer, a fence and a query pool each, and what a finished frame
 //! says about itself.
 
-pub use super::control::REASONS;
 use crate::vulkan::{
     device::{
         error::{During, Result},
@@ -15,7 +14,7 @@ use ash::vk;
 use bytemuck::{Pod, Zeroable};
 use effigy_core::{
     frame::{
-        Counters,
+        Counters, CullReasons,
         report::{FrameReport, HostTimes, STAGES},
     },
     layout::Control,
@@ -38,7 +37,7 @@ const LAYER_COUNTS: u64 = size_of::<LayerCounts>() as u64;
 #[derive(Clone, Copy, Pod, Zeroable)]
 struct LayerCounts {
     control: Control,
-    reasons: [u32; REASONS as usize / 4],
+    reasons: [u32; CullReasons::COUNT],
     list_blocks: u32,
 }
 
@@ -187,7 +186,7 @@ impl FrameInFlight {
         let finished = Instant::now();
         self.pending = false;
         let mut control = Control::default();
-        let mut reasons = [0; REASONS as usize / 4];
+        let mut reasons = [0; CullReasons::COUNT];
         self.list_blocks = None;
         let counts = self.counts.mapped().chunks_exact(LAYER_COUNTS as usize);
         for layer in counts.take(self.kept_layers as usize) {

@@ -7,7 +7,6 @@
 
 use super::model::{GaussianSet, Model};
 use crate::vulkan::{
-    commands::control::REASONS,
     device::{error::Result, gpu::Gpu, recording::Recording},
     memory::{Buffer, Replacement, Slice},
     pipeline::{FrameMemory, Kernel, Launch, shaders},
@@ -16,7 +15,7 @@ use crate::vulkan::{
 use ash::vk;
 use effigy_core::{
     frame::{
-        DEPTH_KEYS, RendererOptions, Skinning, Skip, SortVariant,
+        CullReasons, DEPTH_KEYS, RendererOptions, Skinning, Skip, SortVariant,
         capacity::Capacity,
         kernels::{self, KernelSpec},
         resource::Resource,
@@ -220,12 +219,12 @@ impl Project {
     }
 
     /// How many Gaussians the last frame culled for each reason, where they are counted:
-    /// `REASONS` bytes.
+    /// [`CullReasons::BYTES`].
     pub fn reasons(&self) -> Option<Slice> {
         self.counted.then_some(Slice {
             buffer: self.buffer.raw(),
             offset: self.layout.reasons,
-            size: REASONS,
+            size: CullReasons::BYTES,
         })
     }
 
