@@ -56,7 +56,7 @@ export EFFIGY_VALIDATION=1 VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYN
 for script in early destroy lifecycle picture touch pace; do play tools/android-host/scripts/$script.txt; done
 play tools/android-host/scripts/timed.txt HOST_TIMING=1
 play tools/android-host/scripts/soak.txt HOST_SOAK=5
-for file in json csv svg png; do
+for file in json csv; do
   [ -s $work/soak/data/soak.$file ] || fail "soak: it left no soak.$file"
 done
 play tools/android-host/scripts/open.txt HOST_OPEN="$PWD/src/demo/demo.avatar"
