@@ -64,6 +64,9 @@ struct Shooting {
     /// Cameras around the person, 1 to 256
     #[arg(long, value_name = "N", default_value = "16", value_parser = count(1, 256))]
     cameras: usize,
+    /// Cameras besides, as near as they can be to see head and chest alone
+    #[arg(long, value_name = "N", default_value = "0", value_parser = count(0, 256))]
+    close: usize,
     /// Width and height of the pictures, 16 to 4096 px
     #[arg(long, value_name = "PX", default_value = "256", value_parser = count(16, 4096))]
     size: usize,
@@ -162,6 +165,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let shooting = &args.shooting;
     let options = PictureOptions {
         cameras: shooting.cameras,
+        close: shooting.close,
         size: [shooting.size as u32; 2],
         samples: shooting.samples as u32,
         rays: args.rays,
@@ -178,7 +182,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         args.out.display(),
         summary.pictures,
         frames.len(),
-        options.cameras,
+        options.cameras + options.close,
         summary.held,
         100.0 * summary.covered,
         start.elapsed().as_secs_f64()

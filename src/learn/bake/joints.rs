@@ -25,3 +25,8 @@ pub fn is_foot(joint: u8) -> bool {
 pub fn is_head(joint: u8) -> bool {
     joint == 15
 }
+
+/// The head, the neck and the uppermost joint of the spine.
+pub fn is_head_or_chest(joint: u8) -> bool {
+    matches!(joint, 9 | 12) || is_head(joint)
+}

@@ -19,6 +19,6 @@ mod template;
 pub use flaws::Flaws;
 pub use frames::{ClipFrame, plan_frames};
 pub use rig::{RigOptions, rig};
-pub use scene::{PosedScene, Studio};
+pub use scene::{BodyPart, PosedScene, Studio};
 pub use shoot::{PictureOptions, Summary, shoot};
 pub use template::template;

@@ -21,7 +21,9 @@ const HELD: usize = 8;
 /// The cameras of a capture.
 #[derive(Clone, Debug)]
 pub struct RigOptions {
-    /// Number of cameras, at least 1.
+    /// The number in the first camera's name; those of the others follow.
+    pub first: usize,
+    /// Number of cameras.
     pub cameras: usize,
     /// Width and height of the pictures, px.
     pub size: [u32; 2],
@@ -30,7 +32,7 @@ pub struct RigOptions {
 }
 
 /// Cameras all around, at several heights, each as near as it can be to see every point. `points`:
-/// what the person's surface touches in any frame, metres; at least one.
+/// what the person's surface, or a part of it, touches in any frame, metres; at least one.
 pub fn rig(points: &[DVec3], options: &RigOptions) -> Vec<CaptureCamera> {
     let low = points.iter().fold(DVec3::INFINITY, |low, p| low.min(*p));
     let high = points
@@ -43,8 +45,8 @@ pub fn rig(points: &[DVec3], options: &RigOptions) -> Vec<CaptureCamera> {
             let yaw = TAU * at as f64 / count as f64;
             let pitch = PITCHES[at % PITCHES.len()];
             CaptureCamera {
-                name: format!("cam{at:02}"),
-                camera: one(points, target, yaw, pitch, options, at as u64),
+                name: format!("cam{:02}", options.first + at),
+                camera: one(points, target, yaw, pitch, options, options.first + at),
                 distortion: [0.0; 5],
                 // Not the first, and spread around.
                 held: count > 1 && at % HELD == HELD.min(count) / 2,
@@ -59,9 +61,9 @@ fn one(
     yaw: f64,
     pitch: f64,
     options: &RigOptions,
-    at: u64,
+    number: usize,
 ) -> Camera {
-    let mut random = Random::new(options.seed, 0xCA0 + at);
+    let mut random = Random::new(options.seed, 0xCA0 + number as u64);
     let mut spread = |of: f64| random.range(-of, of);
     let size = DVec2::from(options.size.map(f64::from));
     let mut camera = Camera::orbit(target, yaw, pitch, 0.0, FOV, options.size);
@@ -104,6 +106,7 @@ mod tests {
             .collect();
         for size in [[256, 256], [300, 200], [100, 400]] {
             let options = RigOptions {
+                first: 0,
                 cameras: 16,
                 size,
                 seed: 3,

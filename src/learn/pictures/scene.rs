@@ -2,6 +2,7 @@
 
 use crate::bake::Clothed;
 use crate::bake::body::blend;
+use crate::bake::joints::is_head_or_chest;
 use crate::bake::outfit::Outfit;
 use crate::bake::surface::{Sheet, Site};
 use crate::ground_truth::light::irradiance;
@@ -39,6 +40,15 @@ const PROBES: [[f64; 3]; 10] = {
         [0.2, 0.2, 0.6],
     ]
 };
+
+/// What a camera is to see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyPart {
+    /// The person.
+    Whole,
+    /// What the head, the neck and the uppermost joint of the spine move.
+    HeadAndChest,
+}
 
 /// A triangle that can be seen.
 #[derive(Clone, Copy, Debug)]
@@ -129,9 +139,9 @@ impl Studio {
         }
     }
 
-    /// Places that the person's surface touches in a pose, metres: by linear blend skinning, a part
-    /// of the vertices.
-    pub fn outline(&self, pose: &Pose) -> Vec<DVec3> {
+    /// Places that a part of the person's surface touches in a pose, metres: by linear blend
+    /// skinning, some of the vertices.
+    pub fn outline(&self, pose: &Pose, part: BodyPart) -> Vec<DVec3> {
         const EVERY: usize = 29;
         let mut rest = self.skeleton.clone();
         rest.canonical.fill([0.0; 3]);
@@ -140,6 +150,11 @@ impl Studio {
         self.lit
             .iter()
             .step_by(EVERY)
+            .filter(|&&v| {
+                // The largest weight comes first.
+                let joint = mesh.weights[v as usize].first().map(|own| own.joint);
+                part == BodyPart::Whole || joint.is_some_and(is_head_or_chest)
+            })
             .map(|&v| {
                 let matrix = blend(&joints, &mesh.weights[v as usize]);
                 matrix.transform_point3(mesh.rest[v as usize])

@@ -3,7 +3,7 @@
 use crate::bake::Clothed;
 use crate::pictures::flaws::{CameraLook, Flaws};
 use crate::pictures::rig::{RigOptions, rig};
-use crate::pictures::scene::Studio;
+use crate::pictures::scene::{BodyPart, Studio};
 use crate::pictures::template::template;
 use effigy_capture::{
     CaptureCamera, CaptureError, CaptureFrame, CaptureWriter, Truth, TruthCamera,
@@ -16,8 +16,10 @@ use std::path::Path;
 /// How a capture is shot.
 #[derive(Clone, Debug)]
 pub struct PictureOptions {
-    /// Number of cameras, at least 1.
+    /// Number of cameras that see all of the person, at least 1.
     pub cameras: usize,
+    /// Number of cameras besides that see head and chest alone, from as near as that allows.
+    pub close: usize,
     /// Width and height of the pictures, px.
     pub size: [u32; 2],
     /// Rays a pixel along each side, at least 1.
@@ -57,18 +59,25 @@ pub fn shoot(
     let mut template = template(&clothed.body);
     template.skeleton = flaws.fitted(&template.skeleton, seed);
     let studio = Studio::new(clothed, options.rays);
-    let points: Vec<DVec3> = frames
-        .par_iter()
-        .flat_map_iter(|frame| studio.outline(&frame.pose))
-        .collect();
-    let cameras = rig(
-        &points,
-        &RigOptions {
-            cameras: options.cameras,
+    let around = |part: BodyPart, first: usize, cameras: usize| {
+        let points: Vec<DVec3> = frames
+            .par_iter()
+            .flat_map_iter(|frame| studio.outline(&frame.pose, part))
+            .collect();
+        let rings = RigOptions {
+            first,
+            cameras,
             size: options.size,
             seed,
-        },
-    );
+        };
+        rig(&points, &rings)
+    };
+    let mut cameras = around(BodyPart::Whole, 0, options.cameras);
+    cameras.extend(around(
+        BodyPart::HeadAndChest,
+        options.cameras,
+        options.close,
+    ));
     let calibrated: Vec<CaptureCamera> = (0..cameras.len())
         .map(|at| flaws.calibrated(&cameras[at], at, seed))
         .collect();

@@ -142,6 +142,11 @@ fn avatarrexs_names_are_known() {
 
 /// Two frames of the second person, small.
 fn person(folder: &Path, flaws: Flaws) -> Capture {
+    shot(folder, flaws, 0)
+}
+
+/// [`person`] with more cameras, near the head.
+fn shot(folder: &Path, flaws: Flaws, close: usize) -> Capture {
     let clothed = bake::clothed(&Assets::new(common::assets()), Person::ALL[1]).unwrap();
     let joints = clothed.body.skeleton.len();
     let frame = |number: u32| {
@@ -160,6 +165,7 @@ fn person(folder: &Path, flaws: Flaws) -> Capture {
     };
     let options = PictureOptions {
         cameras: 4,
+        close,
         size: [128, 128],
         samples: 2,
         rays: 24,
@@ -230,6 +236,47 @@ fn the_baked_persons_poses_cameras_and_pictures_agree() {
         assert!(read(folder.path()) == read(again.path()), "{name} differs");
     }
     assert!(!again.path().join("images/cam00/00000009.png").exists());
+}
+
+/// Cameras near the head see it whole in every frame, and larger than the others do, which stay
+/// what they are without them.
+fn close_cameras_see_head_and_chest() {
+    const HEAD: u8 = 15;
+    let folders = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let without = person(folders[0].path(), Flaws::default());
+    let capture = shot(folders[1].path(), Flaws::default(), 3);
+    assert_eq!((without.cameras.len(), capture.cameras.len()), (4, 7));
+    assert_eq!(capture.check(&|_, _| {}), []);
+    assert_eq!(
+        capture.picture(2, 0).unwrap(),
+        without.picture(2, 0).unwrap()
+    );
+    let template = &capture.template;
+    let head: Vec<usize> = (0..template.vertices.len())
+        .filter(|&v| {
+            let mut own = template.weights[v].iter();
+            own.any(|influence| influence.joint == HEAD && influence.weight > 0.9)
+        })
+        .collect();
+    for frame in &capture.frames {
+        let vertices = template.posed(&frame.pose);
+        let heights = capture.cameras.iter().map(|own| {
+            let camera = &own.camera;
+            let seen = head.iter().map(|&v| {
+                let at = camera.view.transform_point3(vertices[v]);
+                camera.project(at) / 128.0
+            });
+            let (low, high) = seen.fold((DVec2::MAX, DVec2::MIN), |(low, high), at| {
+                (low.min(at), high.max(at))
+            });
+            assert!(low.min_element() > 0.0 && high.max_element() < 1.0);
+            high.y - low.y
+        });
+        let heights: Vec<f64> = heights.collect();
+        let far = heights[..4].iter().copied().fold(0.0, f64::max);
+        let near = heights[4..].iter().copied().fold(1.0, f64::min);
+        assert!(near > 1.5 * far, "{near} of the picture, {far} from afar");
+    }
 }
 
 fn captures_with_flaws_keep_the_truth_apart() {
@@ -309,5 +356,6 @@ tests! {
     pictures_are_undistorted_to_where_cameras_see_joints,
     avatarrexs_names_are_known,
     the_baked_persons_poses_cameras_and_pictures_agree,
+    close_cameras_see_head_and_chest,
     captures_with_flaws_keep_the_truth_apart,
 }
