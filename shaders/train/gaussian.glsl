@@ -1,7 +1,8 @@
 // What is learned of a Gaussian, and what is not. `learned` has three vectors each: the quaternion
 // as w x y z; the log scale, and the logit of the opacity; the colour. `fixed_words` has three each:
 // position in canonical space (xyz) and the first two nodes (16 bits each); weights of the nodes,
-// and the third node with the part in its upper half; joints, their weights (bytes).
+// and the third node with the part in its upper half; joints, their weights (bytes), and from where
+// it is drawn (project/facing.glsl).
 
 struct Placed {
     vec3 position;
@@ -10,6 +11,7 @@ struct Placed {
     uint part;
     uint joint;
     uint joint_weight;
+    uint facing;
 };
 
 Placed placed_at(uint g) {
@@ -21,6 +23,7 @@ Placed placed_at(uint g) {
     placed.part = b.w >> 16u;
     placed.joint = c.x;
     placed.joint_weight = c.y;
+    placed.facing = c.z;
     return placed;
 }
 
@@ -40,6 +43,7 @@ void skin(uint view, Placed placed, out vec4 row_x, out vec4 row_y, out vec4 row
 
 #include "common/rotation.glsl"
 #include "common/footprint.glsl"
+#include "project/facing.glsl"
 
 mat3 view_matrix() {
     return transpose(mat3(block.view_rows[0].xyz, block.view_rows[1].xyz, block.view_rows[2].xyz));
@@ -47,6 +51,12 @@ mat3 view_matrix() {
 
 vec3 view_offset() {
     return vec3(block.view_rows[0].w, block.view_rows[1].w, block.view_rows[2].w);
+}
+
+// How much of a Gaussian's opacity is left of what faces away. `to_camera`: from canonical space to
+// the camera's; `p`: the mean there.
+float view_fade(Placed placed, mat3 to_camera, vec3 p) {
+    return facing_fade(to_camera * facing_axis(placed.facing), facing_limit_code(placed.facing), p);
 }
 
 // A Gaussian's footprint in this view. `to_camera`: from the space of `axes` to the camera's; `p`: the

@@ -108,8 +108,9 @@ void main() {
     local[2] *= s.z;
     vec3 t = view_matrix() * mean + view_offset();
     float opacity = 1.0 / (1.0 + exp(-scale_opacity.w));
+    float fade = view_fade(placed, view_matrix() * g3, t);
     // Compared so that NaN fails.
-    if (!(t.z >= block.near.x && opacity * 255.0 > 1.0)) {
+    if (!(t.z >= block.near.x && opacity * 255.0 > 1.0 && fade > 0.0)) {
         write_culled(g);
         return;
     }
@@ -124,6 +125,7 @@ void main() {
     if (block.low_pass.y > 0.0) {
         opacity *= sqrt(footprint.unfiltered / footprint.determinant);
     }
+    opacity *= fade;
     float reach = 2.0 * log(255.0 * opacity);
     if (!(reach >= 0.0)) {
         write_culled(g);

@@ -102,7 +102,9 @@ void main() {
     float det = footprint.determinant;
     float opacity = 1.0 / (1.0 + exp(-scale_opacity.w));
     bool compensated = block.low_pass.y > 0.0;
-    float factor = compensated ? sqrt(unfiltered / det) : 1.0;
+    // How far it fades, as it moves, is left out: see reference::project::project_backward.
+    float fade = view_fade(placed, view * g3, t);
+    float factor = fade * (compensated ? sqrt(unfiltered / det) : 1.0);
 
     // Σ⁻¹ to Σ.
     mat2 inverse = mat2(c, -b, -b, a) * (1.0 / det);

@@ -14,10 +14,8 @@ use effigy_core::{
     io::pack::PackQuality,
 };
 use effigy_formats::open::{self, OpenOptions};
-use effigy_learn::{
-    facing,
-    levels::{LevelOptions, LevelPoses, levels_of},
-};
+use effigy_learn::levels::{LevelOptions, LevelPoses, levels_of};
+use effigy_math::{facing, poses};
 use effigy_measure::packing::{self, PackingStep, Views};
 use std::{
     path::{Path, PathBuf},
@@ -217,10 +215,15 @@ fn given<'a>(args: &Args, player: &'a Player) -> &'a [Player] {
     }
 }
 
+/// Poses of clips in which it is found from where Gaussians show.
+const FACING_POSES: usize = 32;
+
 /// Finds from where an avatar's Gaussians show.
 fn face(avatar: &Avatar, players: &[Player]) -> Avatar {
     let bar = progress::items(0, "views");
-    let faced = facing::face(avatar, players, &mut |done, all| {
+    let mut faced = avatar.clone();
+    let given = poses::from_clips(players, FACING_POSES, 0.5);
+    facing::face(&mut faced, &given, &mut |done, all| {
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     });

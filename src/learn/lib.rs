@@ -5,7 +5,7 @@
 //!                                                                               ↓
 //!     distil: from a larger model's checkpoint ─→ avatar ←───────────── effigy-train
 //!                                                   ↓
-//!       prune: fewer rows, levels: fewer Gaussians, facing: none that faces away, score: of a capture
+//!       prune: fewer rows, levels: fewer Gaussians, score: of a capture
 //! ```
 //!
 //! All of it runs on the CPU, parts in parallel. Results depend on the files, the options and the
@@ -13,11 +13,9 @@
 
 pub mod bake;
 pub mod distil;
-pub mod facing;
 pub mod ground_truth;
 pub mod levels;
 mod likeness;
 pub mod pictures;
-mod poses;
 pub mod prune;
 pub mod score;

@@ -4,10 +4,10 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 /// At most `count` of a list's entries, evenly spaced.
-pub fn evenly_spaced(list: &[usize], count: usize) -> Vec<usize> {
+pub fn evenly_spaced<T: Clone>(list: &[T], count: usize) -> Vec<T> {
     let count = count.min(list.len());
     (0..count)
-        .map(|k| list[(2 * k + 1) * list.len() / (2 * count)])
+        .map(|k| list[(2 * k + 1) * list.len() / (2 * count)].clone())
         .collect()
 }
 

@@ -7,6 +7,7 @@ use crate::parameters::Parameters;
 use crate::refine::{Items, Refinement};
 use crate::topology::CorrectiveRows;
 use bytemuck::Pod;
+use effigy_core::avatar::FacingCode;
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::random::hash;
 use safetensors::{Dtype, SafeTensorError, SafeTensors, tensor::TensorView};
@@ -19,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// Checkpoints that are kept.
 const KEPT: usize = 2;
 /// Version of the file.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 const META: &str = "effigy";
 
 /// The state of a training.
@@ -31,6 +32,10 @@ pub struct TrainingCheckpoint {
     pub rows: CorrectiveRows,
     /// Whether rows were pruned.
     pub pruned: bool,
+    /// From where Gaussians are drawn; none while all are drawn from everywhere.
+    pub facing: Vec<FacingCode>,
+    /// How often that was found.
+    pub faced: u64,
     /// Views used so far: the position in the data.
     pub place: u64,
     /// Exposure and white balance of the cameras.
@@ -55,6 +60,7 @@ struct Meta {
     steps: u64,
     corrective_steps: u64,
     pruned: bool,
+    faced: u64,
     place: u64,
     exposure: Exposure,
     seconds: f64,
@@ -74,6 +80,7 @@ struct Version {
 const ARRAYS: [&str; 4] = ["gaussians", "nodes", "networks", "bases"];
 const KINDS: [&str; 3] = ["parameters", "first_moments", "second_moments"];
 const ROWS: [&str; 3] = ["rows.rotation", "rows.scale", "rows.color"];
+const FACING: &str = "facing";
 const ITEMS: [&str; 3] = ["poses", "cameras", "bones"];
 const OF_ITEMS: [&str; 4] = ["values", "first_moments", "second_moments", "updates"];
 
@@ -111,6 +118,7 @@ impl TrainingCheckpoint {
             steps: self.state.steps,
             corrective_steps: self.state.corrective_steps,
             pruned: self.pruned,
+            faced: self.faced,
             place: self.place,
             exposure: self.exposure.clone(),
             seconds: self.seconds,
@@ -163,6 +171,7 @@ impl TrainingCheckpoint {
                     .iter()
                     .map(|rows| (Dtype::U32, bytemuck::cast_slice(rows))),
             )
+            .chain([(Dtype::U8, self.facing.as_flattened())])
             .chain(items)
     }
 
@@ -245,6 +254,8 @@ impl TrainingCheckpoint {
                 ],
             },
             pruned: meta.pruned,
+            facing: tensors.array(FACING)?,
+            faced: meta.faced,
             place: meta.place,
             exposure: meta.exposure,
             seconds: meta.seconds,
@@ -263,6 +274,7 @@ fn names() -> impl Iterator<Item = String> {
     };
     products(KINDS, ARRAYS)
         .chain(ROWS.map(String::from))
+        .chain([FACING.into()])
         .chain(products(ITEMS, OF_ITEMS))
 }
 
@@ -421,6 +433,8 @@ mod tests {
                 gaussian: [vec![0, 1], vec![], vec![1]],
             },
             pruned: true,
+            facing: vec![[1, 2, 3], [4, 5, 6]],
+            faced: 2,
             place: 77,
             exposure: Exposure::new(2),
             refinement: Refinement {

@@ -199,7 +199,7 @@ pub fn keep_rows(
 mod tests {
     use super::*;
     use crate::topology::PlacedGaussian;
-    use effigy_core::avatar::{Activation, Filter};
+    use effigy_core::avatar::{Activation, Filter, facing};
     use glam::DVec3;
 
     #[test]
@@ -228,6 +228,7 @@ mod tests {
             part: 0,
             joint: [0; 4],
             joint_weight: [255, 0, 0, 0],
+            facing: facing::EVERYWHERE,
         };
         let topology = Topology {
             gaussians: vec![placed; count],

@@ -30,6 +30,8 @@ pub struct Recipe {
     pub rates: RateOptions,
     /// Which basis rows stay.
     pub prune: PruneOptions,
+    /// From where Gaussians are drawn.
+    pub facing: FacingOptions,
     /// How pictures become views.
     pub data: DataOptions,
 }
@@ -186,6 +188,27 @@ pub enum PruneBy {
     Pictures,
 }
 
+/// From where Gaussians are drawn: what never shows from a side is left out there.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FacingOptions {
+    /// Steps before it is found, of all.
+    pub from_share: f64,
+    /// How often it is found, evenly spaced over the other steps; 0: all are drawn from everywhere.
+    pub times: u64,
+}
+
+impl FacingOptions {
+    /// How often it has been found when a share of the training is over.
+    pub fn times_at(&self, share: f64) -> u64 {
+        if share < self.from_share {
+            return 0;
+        }
+        let rest = (share - self.from_share) / (1.0 - self.from_share).max(1e-9);
+        ((rest * self.times as f64) as u64 + 1).min(self.times)
+    }
+}
+
 /// A recipe that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preset {
@@ -298,6 +321,8 @@ impl Recipe {
             rates.weight_decay in RATE;
             prune.share in SHARE;
             prune.pictures in 1..=100_000;
+            facing.from_share in SHARE;
+            facing.times in 0..=100;
             data.band in 0..=32;
             data.window in 32..=2040;
             data.margin in 0.0..=2.0;

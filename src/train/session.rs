@@ -24,6 +24,7 @@ use effigy_core::io::file::{FileError, replace};
 use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
 use effigy_core::scene::{Camera, Posed};
+use effigy_math::facing::face;
 use effigy_render::vulkan::Gpu;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -133,6 +134,8 @@ pub struct TrainingSession {
     exposure: Exposure,
     refinement: Refinement,
     pruned: bool,
+    /// How often it was found from where Gaussians show.
+    faced: u64,
     place: u64,
     /// Views so far in which no Gaussian was visible; None after the first with one.
     empty_views: Option<u64>,
@@ -164,7 +167,10 @@ impl TrainingSession {
         if training_shots(capture).is_empty() {
             return Err(TrainError::NothingToLearn);
         }
-        let start = setup.start(last.is_some())?;
+        let mut start = setup.start(last.is_some())?;
+        if let Some(last) = &last {
+            start.gaussians.facing.clone_from(&last.facing);
+        }
         let (views, watched) = setup.views(&start)?;
         let topology = Topology::new(&start);
         let perceptual =
@@ -216,6 +222,7 @@ impl TrainingSession {
             exposure: checkpoint.exposure,
             refinement: checkpoint.refinement,
             pruned: checkpoint.pruned,
+            faced: checkpoint.faced,
             place: checkpoint.place,
             empty_views: Some(0),
             seconds: checkpoint.seconds,
@@ -318,6 +325,9 @@ impl TrainingSession {
             }
             if !self.pruned && share >= self.pruning_share() {
                 self.prune()?;
+            }
+            if self.faced < self.recipe.facing.times_at(share) {
+                self.face(share)?;
             }
             let looked = match coming.recv_timeout(STOPS_WITHIN) {
                 Ok(looked) => looked?,
@@ -676,6 +686,19 @@ impl TrainingSession {
         Ok(())
     }
 
+    /// Finds from where Gaussians show, and draws them from there alone from now on.
+    fn face(&mut self, share: f64) -> Result<(), TrainError> {
+        tracing::info!("finding from where Gaussians show");
+        let mut avatar = self.avatar()?;
+        face(&mut avatar, &self.poses(), &mut |_, _| ());
+        self.start.gaussians.facing = avatar.gaussians.facing;
+        self.topology = Topology::new(&self.start);
+        let topology = self.topology.clone();
+        self.trainer_mut()?.face(&topology)?;
+        self.faced = self.recipe.facing.times_at(share);
+        Ok(())
+    }
+
     /// How much pictures depend on each Gaussian's attributes, over some evenly spaced pictures.
     fn sensitivity(&mut self) -> Result<Sensitivity, TrainError> {
         let count = self.recipe.prune.pictures.min(self.views.len());
@@ -716,6 +739,8 @@ impl TrainingSession {
             state,
             rows: self.rows.clone(),
             pruned: self.pruned,
+            facing: self.start.gaussians.facing.clone(),
+            faced: self.faced,
             place: self.place,
             exposure: self.exposure.clone(),
             refinement: self.refinement.clone(),
@@ -853,6 +878,8 @@ impl SessionSetup<'_> {
             state: TrainerState::new(&layout, Parameters::of(start, &layout)),
             rows,
             pruned: false,
+            facing: vec![],
+            faced: 0,
             place: 0,
             exposure: Exposure::new(self.capture.cameras.len()),
             refinement: Refinement::new(self.capture),
@@ -886,7 +913,9 @@ impl SessionSetup<'_> {
     ) -> Result<(), TrainError> {
         let expected = ParameterLayout::new(topology, &checkpoint.rows).lengths();
         let numbers = checkpoint.state.parameters.arrays().map(<[f32]>::len);
+        let faced = checkpoint.facing.len();
         let fits = numbers == expected
+            && (faced == 0 || faced == topology.gaussians.len())
             && checkpoint.data == views.name()
             && checkpoint.exposure.cameras() == self.capture.cameras.len()
             && checkpoint.refinement.fits(&Refinement::new(self.capture));

@@ -1,7 +1,7 @@
 //! What training leaves as it is: where Gaussians and nodes are, what they follow, and how their
 //! parts see a pose.
 
-use effigy_core::avatar::{Activation, Avatar, Filter};
+use effigy_core::avatar::{Activation, Avatar, FacingCode, Filter, facing};
 use glam::DVec3;
 
 /// A Gaussian's place.
@@ -19,6 +19,8 @@ pub struct PlacedGaussian {
     pub joint: [u8; 4],
     /// Their weights, which sum to 255.
     pub joint_weight: [u8; 4],
+    /// From where it is drawn.
+    pub facing: FacingCode,
 }
 
 /// A Gaussian that follows a node or a joint.
@@ -106,6 +108,12 @@ impl Topology {
                 part: avatar.parts.part_of(k) as u16,
                 joint: avatar.gaussians.joint[k],
                 joint_weight: avatar.gaussians.joint_weight[k],
+                facing: avatar
+                    .gaussians
+                    .facing
+                    .get(k)
+                    .copied()
+                    .unwrap_or(facing::EVERYWHERE),
             })
             .collect();
         let mut followers = vec![Vec::new(); avatar.nodes.len()];

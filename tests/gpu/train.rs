@@ -46,7 +46,7 @@ const SETTING: Setting = Setting {
 
 impl Scene {
     fn new(seed: u64, setting: Setting) -> Self {
-        let mut avatar = common::avatar(
+        let mut avatar = common::faced(common::avatar(
             seed,
             Sizes {
                 gaussians: 700,
@@ -57,7 +57,7 @@ impl Scene {
                 activation: setting.activation,
                 ..Sizes::default()
             },
-        );
+        ));
         avatar.filter = setting.filter;
         let topology = Topology::new(&avatar);
         let rows = CorrectiveRows::of(&avatar);

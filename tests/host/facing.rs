@@ -6,7 +6,7 @@ use effigy_core::{
     reference::{self, Culled, ReferenceFrame},
     scene::{Camera, Posed},
 };
-use effigy_learn::facing::face;
+use effigy_math::facing::face;
 use effigy_measure::error;
 use glam::{DQuat, DVec3};
 use half::f16;
@@ -49,7 +49,8 @@ fn ball() -> Avatar {
 fn what_is_behind_is_left_out_and_nothing_shows_that() {
     let avatar = ball();
     let mut views = 0;
-    let faced = face(&avatar, &[], &mut |done, all| {
+    let mut faced = avatar.clone();
+    face(&mut faced, &[], &mut |done, all| {
         assert!(done <= all);
         views = done;
     });

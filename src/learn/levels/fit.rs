@@ -1,12 +1,13 @@
 //! Fitting of a level's Gaussians to images of the whole avatar, with Adam.
 
-use super::blend::{Blended, enlarged, loss_gradient};
-use super::pose::{self, shapes};
-use super::splats::{FittedShape, LevelSplat, PosedGaussian, Projection};
 use super::views::{LevelTarget, LevelView};
 use effigy_core::avatar::{Avatar, Level};
 use effigy_core::random::Random;
 use effigy_core::reference::project;
+use effigy_math::splatter::{
+    self, Blended, FittedShape, ImageSplat, PosedGaussian, Projection, enlarged, loss_gradient,
+    shapes,
+};
 use glam::{DQuat, DVec3, Vec3};
 use half::f16;
 use rayon::prelude::*;
@@ -119,7 +120,7 @@ fn gradients(
 ) -> Gradients {
     let camera = target.view.camera_at(units * samples);
     let projection = Projection::new(&camera, Level::FILTER);
-    let splats: Vec<Option<LevelSplat>> = shapes
+    let splats: Vec<Option<ImageSplat>> = shapes
         .iter()
         .zip(placed)
         .map(|(shape, placed)| projection.splat(shape, placed))
@@ -158,7 +159,7 @@ impl<'a> LevelInPoses<'a> {
         let mut placed = Vec::new();
         for LevelTarget { view, .. } in targets {
             if level.sh.is_none() && view.pose == placed.len() {
-                placed.push(pose::placed(level, &view.posed, &view.camera));
+                placed.push(splatter::placed(level, &view.posed, &view.camera));
             }
         }
         Self { level, placed }
@@ -167,7 +168,7 @@ impl<'a> LevelInPoses<'a> {
     fn placed(&self, view: &LevelView) -> Cow<'_, [PosedGaussian]> {
         match self.placed.get(view.pose) {
             Some(placed) => Cow::Borrowed(placed),
-            None => Cow::Owned(pose::placed(self.level, &view.posed, &view.camera)),
+            None => Cow::Owned(splatter::placed(self.level, &view.posed, &view.camera)),
         }
     }
 }

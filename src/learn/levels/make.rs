@@ -4,13 +4,11 @@ use super::assemble;
 use super::fit::{self, FitOptions, ImageSize};
 use super::measure::measure;
 use super::merge::MergeTree;
-use super::pose;
 use super::still::still;
 use super::views::{self, LevelTarget, LevelView, UNIT, height, views};
-use crate::poses;
 use effigy_core::avatar::{Avatar, Level, Pose, motion::Player};
 use effigy_core::scene::{Camera, Posed};
-use effigy_math::sampling::evenly_spaced;
+use effigy_math::{poses, sampling::evenly_spaced, splatter::placed};
 use glam::DVec3;
 
 /// A level has one Gaussian for so many of the avatar's. Files and memory grow by 1/4 + 1/16 + 1/64
@@ -315,7 +313,7 @@ fn hierarchy(avatar: &Avatar, still: &Avatar, poses: &[Pose], seen: &[f64]) -> M
     let centers: Vec<Vec<DVec3>> = evenly_spaced(&indices, MERGE_POSES)
         .into_iter()
         .map(|at| {
-            pose::placed(&unlit, &Posed::new(avatar, &poses[at]), &camera)
+            placed(&unlit, &Posed::new(avatar, &poses[at]), &camera)
                 .iter()
                 .map(|placed| placed.mean.as_dvec3())
                 .collect()

@@ -1,10 +1,10 @@
 //! How far images of a level are from what they should be.
 
-use super::blend::Blended;
 use super::views::{LevelTarget, UNIT, whole_splats};
 use effigy_core::avatar::{Avatar, LevelError};
 use effigy_core::constants::ALPHA_MIN;
 use effigy_core::scene::FrameImage;
+use effigy_math::splatter::Blended;
 use glam::{DVec4, Vec4};
 use rayon::prelude::*;
 

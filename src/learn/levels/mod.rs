@@ -7,22 +7,14 @@
 //!    └─→ still: without networks ──────────┘
 //! ```
 //!
-//! `splats` and `blend` draw small images in f32, with derivatives; `pose` takes all else from the
-//! f64 reference.
+//! [`effigy_math::splatter`] draws the images, with derivatives.
 
 mod assemble;
-mod blend;
 mod fit;
 mod make;
 mod measure;
 mod merge;
-mod pose;
-mod splats;
 mod still;
 mod views;
-
-pub(crate) use blend::Blended;
-pub(crate) use pose::{placed, shapes};
-pub(crate) use splats::Projection;
 
 pub use make::{LevelOptions, LevelPoses, LevelProgress, levels_of};

@@ -1,12 +1,10 @@
 //! What a level should look like: images of the whole avatar from many sides and in many poses,
 //! drawn much larger than needed and averaged.
 
-use super::blend::Blended;
-use super::pose::{placed, shapes};
-use super::splats::{LevelSplat, Projection};
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::random::Random;
 use effigy_core::scene::{AvatarBounds, Camera, FrameImage, Posed};
+use effigy_math::splatter::{Blended, ImageSplat, Projection, placed, shapes};
 use effigy_measure::viewpoint::FOV;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -113,7 +111,7 @@ fn camera(bounds: [DVec3; 2], height: f64, yaw: f64, pitch: f64) -> Camera {
 }
 
 /// The splats of a whole avatar in a view, with the avatar's own filter.
-pub fn whole_splats(avatar: &Avatar, view: &LevelView, units: usize) -> Vec<Option<LevelSplat>> {
+pub fn whole_splats(avatar: &Avatar, view: &LevelView, units: usize) -> Vec<Option<ImageSplat>> {
     let camera = view.camera_at(units);
     let projection = Projection::new(&camera, avatar.filter);
     let opacity = |k: usize| f32::from(avatar.gaussians.opacity[k]) / 255.0;

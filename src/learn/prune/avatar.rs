@@ -1,11 +1,10 @@
 //! An avatar with fewer rows, by what it is in some poses.
 
-use crate::poses;
 use crate::prune::{RowBudget, RowSubject, select_rows};
 use effigy_core::avatar::{Avatar, Pose, ROW_COMPONENTS, Rows, motion::Player};
 use effigy_core::reference::basis::corrective;
 use effigy_core::reference::mlp;
-use effigy_math::covariance::RunningCovariance;
+use effigy_math::{covariance::RunningCovariance, poses};
 use half::f16;
 
 /// Poses in which rows are weighed.

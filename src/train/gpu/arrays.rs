@@ -1,7 +1,7 @@
 //! Device memory of the training.
 
 use crate::parameters::{BASIS, ParameterLayout, Parameters};
-use crate::topology::{CorrectiveRows, Follower, Topology};
+use crate::topology::{CorrectiveRows, Follower, PlacedGaussian, Topology};
 use bytemuck::{Pod, cast_slice};
 use effigy_core::layout::TRAIN_NO_ROW;
 use effigy_render::vulkan::Gpu;
@@ -127,24 +127,16 @@ pub(super) struct Fixed {
 
 impl Fixed {
     pub fn new(gpu: &Arc<Gpu>, topology: &Topology, rows: &CorrectiveRows) -> Result<Self> {
-        let mut gaussians: Vec<u32> = Vec::with_capacity(12 * topology.gaussians.len());
-        let mut row_words: Vec<u32> = Vec::with_capacity(4 * topology.gaussians.len());
-        for (k, placed) in topology.gaussians.iter().enumerate() {
-            let position = placed.position.as_vec3().to_array().map(f32::to_bits);
-            let [a, b, c] = placed.node.map(u32::from);
-            gaussians.extend(position);
-            gaussians.push(a | b << 16);
-            gaussians.extend(placed.node_weight.map(|w| (w as f32).to_bits()));
-            gaussians.push(c | u32::from(placed.part) << 16);
-            gaussians.push(u32::from_le_bytes(placed.joint));
-            gaussians.push(u32::from_le_bytes(placed.joint_weight));
-            gaussians.extend([0, 0]);
-            let row = |attribute| {
-                rows.row(attribute, k)
-                    .map_or(TRAIN_NO_ROW, |row| row as u32)
-            };
-            row_words.extend([row(0), row(1), row(2), u32::from(placed.part)]);
-        }
+        let row = |attribute, k| {
+            let row = rows.row(attribute, k);
+            row.map_or(TRAIN_NO_ROW, |row| row as u32)
+        };
+        let row_words: Vec<u32> = topology
+            .gaussians
+            .iter()
+            .enumerate()
+            .flat_map(|(k, placed)| [row(0, k), row(1, k), row(2, k), u32::from(placed.part)])
+            .collect();
         let node_part: Vec<u32> = topology.node_part.iter().map(|&p| u32::from(p)).collect();
         let node_starts = starts(topology.followers.iter().map(Vec::len));
         let followers = follower_words(&topology.followers);
@@ -157,7 +149,7 @@ impl Fixed {
         members.extend(starts(topology.part_nodes.iter().map(Vec::len)));
         members.extend(topology.part_nodes.iter().flatten());
         Ok(Self {
-            gaussians: filled(gpu, "placed Gaussians", &gaussians)?,
+            gaussians: filled(gpu, "placed Gaussians", &placed_words(topology))?,
             rows: filled(gpu, "rows", &row_words)?,
             node_part: filled(gpu, "node parts", &node_part)?,
             node_starts: filled(gpu, "node starts", &node_starts)?,
@@ -167,6 +159,31 @@ impl Fixed {
             moved: filled(gpu, "moved Gaussians", &moved)?,
         })
     }
+}
+
+/// Three vectors a Gaussian (`shaders/train/gaussian.glsl`).
+pub(super) fn placed_words(topology: &Topology) -> Vec<u32> {
+    let words = |placed: &PlacedGaussian| -> [u32; 12] {
+        let [x, y, z] = placed.position.as_vec3().to_array().map(f32::to_bits);
+        let [a, b, c] = placed.node.map(u32::from);
+        let [of_a, of_b, of_c] = placed.node_weight.map(|weight| (weight as f32).to_bits());
+        let [u, v, limit] = placed.facing;
+        [
+            x,
+            y,
+            z,
+            a | b << 16,
+            of_a,
+            of_b,
+            of_c,
+            c | u32::from(placed.part) << 16,
+            u32::from_le_bytes(placed.joint),
+            u32::from_le_bytes(placed.joint_weight),
+            u32::from_le_bytes([u, v, limit, 0]),
+            0,
+        ]
+    };
+    topology.gaussians.iter().flat_map(words).collect()
 }
 
 /// Two words each, list after list.

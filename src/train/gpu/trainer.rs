@@ -1,5 +1,6 @@
 //! The steps of a training on a device.
 
+use super::arrays::placed_words;
 use super::block::{STRIDE, StepOptions, Updates, ViewBand, ViewBlock};
 use super::buffers::{Batch, LossSums, TrainerBuffers, groups};
 use super::kernels::{KernelSource, Kernels};
@@ -136,6 +137,13 @@ impl Trainer {
     /// What is learned so far.
     pub fn parameters(&self) -> Result<Parameters<f32>> {
         self.buffers.parameters.download()
+    }
+
+    /// Draws Gaussians from where a topology says from now on, which is otherwise the trainer's own.
+    pub fn face(&mut self, topology: &Topology) -> Result<()> {
+        let words = placed_words(topology);
+        self.topology = topology.clone();
+        self.buffers.fixed.gaussians.upload(cast_slice(&words))
     }
 
     /// Steps so far.

@@ -7,7 +7,7 @@ use crate::loss::LossWeights;
 use crate::parameters::{BASIS, GAUSSIAN, ParameterLayout, Parameters, sigmoid};
 use crate::topology::{CorrectiveRows, Topology};
 use crate::view::{Shows, TrainingView};
-use effigy_core::avatar::{ROW_COMPONENTS, matrix::Row};
+use effigy_core::avatar::{Facing, ROW_COMPONENTS, matrix::Row};
 use effigy_core::reference::basis::{combine, combine_backward};
 use effigy_core::reference::mlp::{Neuron, activate, activate_backward, linear, linear_backward};
 use effigy_core::reference::nodes::displacement;
@@ -87,7 +87,11 @@ impl Problem<'_> {
         let gaussians: Vec<Gaussian> = canonical
             .iter()
             .zip(&skinning)
-            .map(|(canonical, g)| pose(canonical, g, 255))
+            .zip(&topology.gaussians)
+            .map(|((canonical, g), placed)| Gaussian {
+                facing: Facing::decode(placed.facing).moved(&g.matrix3),
+                ..pose(canonical, g, 255)
+            })
             .collect();
         let opacity: Vec<f64> = (0..count)
             .map(|k| 255.0 * sigmoid(p.gaussians[k * GAUSSIAN + 7]))

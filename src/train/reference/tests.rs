@@ -3,7 +3,7 @@
 use super::*;
 use crate::topology::{Follower, PlacedGaussian};
 use crate::view::ViewPicture;
-use effigy_core::avatar::{Activation, Filter};
+use effigy_core::avatar::{Activation, Filter, facing};
 use effigy_core::random::Random;
 use effigy_core::scene::Camera;
 use std::sync::Arc;
@@ -94,6 +94,11 @@ fn topology(random: &mut Random, filter: Filter) -> Topology {
                 part: (k * PARTS / GAUSSIANS) as u16,
                 joint: [0, 1, 2, 0],
                 joint_weight: [100, 100, 55, 0],
+                facing: if k % 7 == 3 {
+                    facing::NOWHERE
+                } else {
+                    facing::EVERYWHERE
+                },
             }
         })
         .collect();

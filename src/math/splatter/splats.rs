@@ -1,5 +1,5 @@
 //! Projection of Gaussians into small images, with its derivatives: docs/model.md, steps 5 to 8, in
-//! f32. What fitting a level changes are the numbers of [`FittedShape`]; all else comes from a pose.
+//! f32. What a fit changes are the numbers of [`FittedShape`]; all else comes from a pose.
 
 use effigy_core::avatar::{Filter, LowPass};
 use effigy_core::constants::ALPHA_MIN;
@@ -73,7 +73,7 @@ pub struct PosedGaussian {
 
 /// A Gaussian in the image.
 #[derive(Clone, Copy, Debug)]
-pub struct LevelSplat {
+pub struct ImageSplat {
     /// px from the image's top left corner.
     pub center: Vec2,
     /// Distance along the camera's axis, metres.
@@ -90,9 +90,9 @@ pub struct LevelSplat {
     pub color: Vec3,
 }
 
-/// The derivative of a loss by what a [`LevelSplat`] says.
+/// The derivative of a loss by what a [`ImageSplat`] says.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct LevelSplatGradient {
+pub struct ImageSplatGradient {
     /// By the centre, 1/px.
     pub center: Vec2,
     /// By Σ'⁻¹ as [a, b, c], where b stands for both off-diagonal entries, px².
@@ -202,7 +202,7 @@ impl Projection {
     }
 
     /// A Gaussian in the image; None where nothing of it is.
-    pub fn splat(&self, shape: &FittedShape, placed: &PosedGaussian) -> Option<LevelSplat> {
+    pub fn splat(&self, shape: &FittedShape, placed: &PosedGaussian) -> Option<ImageSplat> {
         self.splat_of(shape, placed, shape.opacity())
     }
 
@@ -212,7 +212,7 @@ impl Projection {
         shape: &FittedShape,
         placed: &PosedGaussian,
         opacity: f32,
-    ) -> Option<LevelSplat> {
+    ) -> Option<ImageSplat> {
         let steps = self.steps(shape, placed)?;
         let opacity = opacity * steps.compensation;
         let reach = 2.0 * (opacity / ALPHA_MIN as f32).ln();
@@ -225,7 +225,7 @@ impl Projection {
             && (center + radius).min_element() >= 0.0
             && (self.size + radius - center).min_element() >= 0.0;
         let d = steps.smooth_determinant;
-        visible.then(|| LevelSplat {
+        visible.then(|| ImageSplat {
             center,
             depth: steps.t.z,
             inverse: [c / d, -b / d, a / d],
@@ -242,7 +242,7 @@ impl Projection {
         &self,
         shape: &FittedShape,
         placed: &PosedGaussian,
-        by: &LevelSplatGradient,
+        by: &ImageSplatGradient,
     ) -> [f32; FittedShape::NUMBERS] {
         let Some(steps) = self.steps(shape, placed) else {
             return [0.0; FittedShape::NUMBERS];

@@ -9,7 +9,7 @@ mod seen;
 mod views;
 
 use cone::cone;
-use effigy_core::avatar::{Avatar, Facing, FacingCode, facing, motion::Player};
+use effigy_core::avatar::{Avatar, Facing, FacingCode, Pose, facing};
 use glam::Vec3;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rayon::prelude::*;
@@ -21,15 +21,15 @@ use views::views;
 /// them, or in a gap that no view looked into.
 const NEIGHBOURS: NonZero<usize> = NonZero::new(6).expect("not 0");
 
-/// The avatar with a cone for each Gaussian, its levels' too, that leaves out where it never shows:
-/// in poses of the clips, in random ones of those that the avatar was trained for, and in wilder
-/// ones. The given avatar is drawn from everywhere. `progress` is called with the number of views
-/// done and of all.
+/// Gives each Gaussian of an avatar, its levels' too, a cone that leaves out where it never shows:
+/// in some of the given poses, in random ones of those that the avatar was trained for, and in
+/// wilder ones. Cones that it has are ignored. `progress` is called with the number of views done
+/// and of all.
 ///
 /// # Panics
 /// Where [`Avatar::check`] finds a fault.
-pub fn face(avatar: &Avatar, players: &[Player], progress: &mut dyn FnMut(usize, usize)) -> Avatar {
-    let views = views(avatar, players);
+pub fn face(avatar: &mut Avatar, poses: &[Pose], progress: &mut dyn FnMut(usize, usize)) {
+    let views = views(avatar, poses);
     let all = views.len() * (1 + avatar.levels.len());
     let mut before = 0;
     let mut codes = |drawn: &Avatar| {
@@ -37,12 +37,10 @@ pub fn face(avatar: &Avatar, players: &[Player], progress: &mut dyn FnMut(usize,
         before += views.len();
         codes_of(drawn, &seen)
     };
-    let mut faced = avatar.clone();
-    faced.gaussians.facing = codes(avatar);
-    for (level, own) in faced.levels.iter_mut().zip(&avatar.levels) {
-        level.gaussians.facing = codes(&avatar.at_level(own));
+    avatar.gaussians.facing = codes(avatar);
+    for at in 0..avatar.levels.len() {
+        avatar.levels[at].gaussians.facing = codes(&avatar.at_level(&avatar.levels[at]));
     }
-    faced
 }
 
 /// The cones of Gaussians that show in these directions.

@@ -1,7 +1,7 @@
 //! The directions from which Gaussians show.
 
 use super::views::FacingView;
-use crate::levels::{Blended, Projection, placed, shapes};
+use crate::splatter::{Blended, Projection, placed, shapes};
 use effigy_core::avatar::Avatar;
 use effigy_core::constants::ALPHA_MIN;
 use effigy_core::reference::project::skinning;

@@ -1,7 +1,7 @@
 //! Blending of splats into small images, near to far, with its derivatives (docs/model.md, step
 //! 10). One thread draws an image; images are drawn side by side.
 
-use super::splats::{LevelSplat, LevelSplatGradient};
+use super::splats::{ImageSplat, ImageSplatGradient};
 use effigy_core::constants::{ALPHA_MAX, ALPHA_MIN};
 use effigy_core::scene::FrameImage;
 use glam::{Vec2, Vec3, Vec4};
@@ -45,7 +45,7 @@ struct RowSpan {
 }
 
 /// The rows that a splat may be visible in.
-fn rows(splat: &LevelSplat, height: usize) -> Range<usize> {
+fn rows(splat: &ImageSplat, height: usize) -> Range<usize> {
     pixels(splat.center.y, splat.radius.y, height)
 }
 
@@ -58,7 +58,7 @@ fn pixels(center: f32, radius: f32, length: usize) -> Range<usize> {
 }
 
 /// The part of a row in which a splat is visible.
-fn span(splat: &LevelSplat, y: usize, width: usize) -> RowSpan {
+fn span(splat: &ImageSplat, y: usize, width: usize) -> RowSpan {
     let [a, b, c] = splat.inverse;
     let dy = y as f32 + 0.5 - splat.center.y;
     // a dx² + 2 b dy dx + c dy² ≤ reach.
@@ -79,7 +79,7 @@ fn span(splat: &LevelSplat, y: usize, width: usize) -> RowSpan {
 
 impl RowSpan {
     /// o exp(−½ dᵀΣ'⁻¹d) at a column, before it is cut at the largest α.
-    fn alpha(&self, splat: &LevelSplat, x: usize) -> f32 {
+    fn alpha(&self, splat: &ImageSplat, x: usize) -> f32 {
         let dx = x as f32 + 0.5 - splat.center.x;
         let power = dx * (splat.inverse[0] * dx + 2.0 * self.linear) + self.constant;
         splat.opacity * (-0.5 * power).exp()
@@ -93,7 +93,7 @@ impl Blended {
     /// Draws splats into a transparent image. `seen` is called for each splat with the sum over all
     /// pixels of what it contributes, and the largest of it.
     pub fn new(
-        splats: &[Option<LevelSplat>],
+        splats: &[Option<ImageSplat>],
         size: [u32; 2],
         mut seen: impl FnMut(usize, f32, f32),
     ) -> Self {
@@ -148,11 +148,11 @@ impl Blended {
     /// The derivative of a loss by the splats, from that by the image's pixels.
     pub fn gradient(
         mut self,
-        splats: &[Option<LevelSplat>],
+        splats: &[Option<ImageSplat>],
         by: &FrameImage,
-    ) -> Vec<LevelSplatGradient> {
+    ) -> Vec<ImageSplatGradient> {
         let [width, height] = self.image.size.map(|side| side as usize);
-        let mut gradients = vec![LevelSplatGradient::default(); splats.len()];
+        let mut gradients = vec![ImageSplatGradient::default(); splats.len()];
         // What lies behind each splat, premultiplied, as if nothing were before it.
         let mut behind = vec![Vec4::ZERO; self.image.pixels.len()];
         for (at, &k) in self.order.iter().enumerate().rev() {
@@ -160,7 +160,7 @@ impl Blended {
                 continue;
             };
             let color = splat.color.extend(1.0);
-            let mut gradient = LevelSplatGradient::default();
+            let mut gradient = ImageSplatGradient::default();
             for y in rows(splat, height) {
                 let span = span(splat, y, width);
                 let dy = y as f32 + 0.5 - splat.center.y;
@@ -222,7 +222,7 @@ pub fn loss_gradient(image: &FrameImage, truth: &FrameImage) -> FrameImage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::levels::splats::{FittedShape, PosedGaussian, Projection};
+    use crate::splatter::splats::{FittedShape, PosedGaussian, Projection};
     use effigy_core::avatar::Filter;
     use effigy_core::random::Random;
     use effigy_core::scene::Camera;
@@ -275,7 +275,7 @@ mod tests {
         projection: &Projection,
         shapes: &[FittedShape],
         placed: &[PosedGaussian],
-    ) -> Vec<Option<LevelSplat>> {
+    ) -> Vec<Option<ImageSplat>> {
         let pairs = shapes.iter().zip(placed);
         pairs.map(|(s, p)| projection.splat(s, p)).collect()
     }

@@ -1,14 +1,14 @@
 //! Views in which an avatar should look whole: all of it from all sides, and parts of it from near.
 
 use crate::poses;
-use effigy_core::avatar::{Avatar, motion::Player};
+use crate::sampling::evenly_spaced;
+use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::random::Random;
 use effigy_core::reference::project::skinning;
 use effigy_core::scene::{AvatarBounds, Camera, Posed};
-use effigy_measure::viewpoint::FOV;
 use std::f64::consts::TAU;
 
-/// Poses that are seen, half of them of clips where there are any.
+/// Poses that are seen, at most half of them given ones.
 const POSES: usize = 64;
 /// Largest standard deviation by which joints are turned further in three of four poses, radians:
 /// what clothes and limbs hide shows in poses that no clip has.
@@ -17,6 +17,8 @@ const TURNED: f64 = 0.8;
 const AROUND: usize = 8;
 /// Views of a random Gaussian from near.
 const NEAR: usize = 4;
+/// Vertical field of view of near views, radians.
+const FOV: f64 = 35f64.to_radians();
 /// Sides of an image, px.
 const SIDE: u32 = 640;
 /// Distances of near views, in those at which all of an avatar is in the image.
@@ -34,11 +36,10 @@ pub struct FacingView {
     pub camera: Camera,
 }
 
-/// Views of an avatar in poses of clips and in random ones.
-pub fn views(avatar: &Avatar, players: &[Player]) -> Vec<FacingView> {
-    let of_clips = if players.is_empty() { 0 } else { POSES / 2 };
-    let mut poses = poses::from_clips(players, of_clips, 0.5);
-    poses.extend(poses::random(avatar, POSES - of_clips, SEED));
+/// Views of an avatar in some of the given poses and in random ones.
+pub fn views(avatar: &Avatar, given: &[Pose]) -> Vec<FacingView> {
+    let mut poses = evenly_spaced(given, POSES / 2);
+    poses.extend(poses::random(avatar, POSES - poses.len(), SEED));
     let bounds = AvatarBounds::new(avatar);
     let gaussians = &avatar.gaussians;
     let of_pose = |index: usize| {
