@@ -36,7 +36,7 @@ impl RendererOptions {
         self
     }
 
-    /// Draws avatars as large as they are shown. By default those under 640 px are drawn larger and
+    /// Draws avatars as large as they are shown. By default those under 720 px are drawn larger and
     /// averaged, which shows the area of each pixel.
     pub fn without_supersampling(mut self) -> Self {
         self.0.supersampling = Supersampling::OFF;

@@ -194,6 +194,9 @@ pub enum PruneBy {
 pub struct FacingOptions {
     /// Steps before it is found, of all.
     pub from_share: f64,
+    /// What a Gaussian is of a pixel at least where it shows, 255ths. The more, the fewer are drawn,
+    /// and the more the training has to make up for.
+    pub shown: f64,
     /// How often it is found, evenly spaced over the other steps; 0: all are drawn from everywhere.
     pub times: u64,
 }
@@ -322,6 +325,7 @@ impl Recipe {
             prune.share in SHARE;
             prune.pictures in 1..=100_000;
             facing.from_share in SHARE;
+            facing.shown in 1.0..=255.0;
             facing.times in 0..=100;
             data.band in 0..=32;
             data.window in 32..=2040;

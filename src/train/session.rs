@@ -690,7 +690,8 @@ impl TrainingSession {
     fn face(&mut self, share: f64) -> Result<(), TrainError> {
         tracing::info!("finding from where Gaussians show");
         let mut avatar = self.avatar()?;
-        face(&mut avatar, &self.poses(), &mut |_, _| ());
+        let shown = self.recipe.facing.shown / 255.0;
+        face(&mut avatar, &self.poses(), shown, &mut |_, _| ());
         self.start.gaussians.facing = avatar.gaussians.facing;
         self.topology = Topology::new(&self.start);
         let topology = self.topology.clone();

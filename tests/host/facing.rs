@@ -50,7 +50,7 @@ fn what_is_behind_is_left_out_and_nothing_shows_that() {
     let avatar = ball();
     let mut views = 0;
     let mut faced = avatar.clone();
-    face(&mut faced, &[], &mut |done, all| {
+    face(&mut faced, &[], 4.0 / 255.0, &mut |done, all| {
         assert!(done <= all);
         views = done;
     });

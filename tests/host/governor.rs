@@ -218,8 +218,8 @@ fn drawn(
         if qualities.last() != Some(&quality) {
             qualities.push(quality);
         }
-        // What is small is drawn as if it were 640 px: a smaller image gains nothing.
-        let gained = if side * quality.scale < 640.0 {
+        // What is small is drawn as if it were 720 px: a smaller image gains nothing.
+        let gained = if side * quality.scale < 720.0 {
             0.42f64.powi(quality.coarser as i32)
         } else {
             pixels(&quality)

@@ -57,7 +57,11 @@ fn a_fit_helps_in_poses_that_it_did_not_see() {
     let fitted = make(&avatar, &poses, 24, 60);
     let counts: Vec<usize> = fitted.iter().map(|level| level.gaussians.len()).collect();
     let whole = avatar.gaussians.len();
-    assert_eq!(counts, [whole / 4, whole / 16], "a 64th is too few");
+    assert_eq!(
+        counts,
+        [2, 4, 16].map(|one_in| whole / one_in),
+        "a 64th is too few"
+    );
     for (merged, fitted) in merged.iter().zip(&fitted) {
         let [before, after] = [merged, fitted].map(tallest);
         assert_eq!((before.height, before.samples), (after.height, 4));
@@ -79,7 +83,7 @@ fn random_poses_do_for_an_avatar_without_a_clip() {
     assert!(pairs.clone().all(|(a, b)| a != b) && poses.training.len() == 24);
     poses.training.truncate(4);
     let [before, after] = [0, 40].map(|steps| make(&avatar, &poses, 16, steps));
-    let [before, after] = [tallest(&before[0]), tallest(&after[0])];
+    let [before, after] = [tallest(&before[1]), tallest(&after[1])];
     assert!(
         after.psnr_db > before.psnr_db + 2.0,
         "{before:?}, then {after:?}"
@@ -143,7 +147,7 @@ fn splats_have_levels_too() {
 
 fn too_few_gaussians_have_no_levels() {
     let sizes = Sizes {
-        gaussians: 200,
+        gaussians: 120,
         ..Sizes::default()
     };
     let avatar = common::avatar(1, sizes);
@@ -209,7 +213,7 @@ fn splats_are_imported_and_get_levels() {
     let plain = imported.packed(PackQuality::High).to_packed_bytes();
     let before = plain.expect("it can be written").len();
     let after = two_bytes.len();
-    assert!(after < before * 135 / 100, "{after} bytes after {before}");
+    assert!(after < before * 185 / 100, "{after} bytes after {before}");
     let motion = folder.path().join("walk.motion");
     let body = body();
     common::clip(4, &body, 4)
@@ -275,7 +279,7 @@ fn pack_makes_levels_and_inspect_shows_them() {
     .concat();
     let packed = run(&packed);
     let avatar = Avatar::read(&out).expect("it was written");
-    assert_eq!(avatar.levels.len(), 2);
+    assert_eq!(avatar.levels.len(), 3);
     let shown = run(&["inspect", path]);
     for level in &avatar.levels {
         let error = tallest(level);

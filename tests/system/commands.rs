@@ -183,15 +183,15 @@ fn bench_writes_what_it_measured_of_every_case() {
             "expression",
             "static",
             "close",
+            "four",
+            "crowd",
+            "flicker",
+            "zoom",
             "far30",
             "far",
             "far120",
             "far240",
-            "far480",
-            "four",
-            "crowd",
-            "flicker",
-            "zoom"
+            "far480"
         ]),
         "{names:?}"
     );

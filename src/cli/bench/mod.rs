@@ -33,8 +33,9 @@ pub struct Args {
     /// --cameras]
     #[arg(long, value_name = "WxH", value_parser = options::size)]
     size: Option<[u32; 2]>,
-    /// Scenes to draw: all, or names out of full, camera, orbit, expression, static, close, far30,
-    /// far, far120, far240, far480, four, crowd, flicker and zoom, separated by commas
+    /// Scenes to draw: all, or names out of full, camera, orbit, expression, static, close, four,
+    /// crowd, flicker, zoom and far, which may name the avatar's height, px, such as far480;
+    /// separated by commas
     /// [default: full]
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<NamedList<BenchCase>>,

@@ -8,7 +8,7 @@ use super::{
     changes::AvatarView,
     damage::{Damage, regions_around},
 };
-use crate::avatar::LowPass;
+use crate::avatar::{Level, LowPass};
 use crate::scene::{
     AvatarBounds, Camera, PartDependencies, PartSet, PixelRect, Posed, Visible,
     supersampling::low_pass,
@@ -411,13 +411,18 @@ impl FrameState {
             }
             _ => PartSet::EMPTY,
         };
+        let own_filter = if model > 0 {
+            Level::FILTER
+        } else {
+            bounds.filter()
+        };
         AvatarInstance {
             index,
             posed,
             camera,
             slot: slot.map(AtlasSlot::rect),
             samples,
-            low_pass: low_pass(bounds.filter(), options.filter, samples),
+            low_pass: low_pass(own_filter, options.filter, samples),
             side: footprint.map_or(0.0, |footprint| footprint.side),
             model,
             correctives: portion.correctives(bounds),

@@ -7,7 +7,7 @@ use std::{fmt, str::FromStr};
 
 /// Longest side that an avatar's box is drawn with, px, as far as factors allow: the less of the image
 /// it takes up, the larger it is drawn, without steps that could be seen (docs/experiments/051).
-pub const DRAWN_SIDE: f64 = 640.0;
+pub const DRAWN_SIDE: f64 = 720.0;
 /// The most times that an avatar is drawn as large as it is shown.
 const LARGEST: f64 = 4.0;
 /// From this factor on the mean over a pixel filters, and [`Filter::SUPERSAMPLED`] is all that is
@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn the_smaller_the_more_samples() {
-        let factors = [10.0, 160.0, 256.0, 400.0, 640.0, 4000.0, f64::INFINITY]
+        let factors = [10.0, 180.0, 288.0, 450.0, 720.0, 4000.0, f64::INFINITY]
             .map(|side| Supersampling::BySize.factor(side));
         assert_eq!(factors, [4.0, 4.0, 2.5, 1.6, 1.0, 1.0, 1.0]);
         assert_eq!(Supersampling::BySize.factor(f64::NAN), 1.0);

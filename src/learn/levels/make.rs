@@ -11,12 +11,12 @@ use effigy_core::scene::{Camera, Posed};
 use effigy_math::{poses, sampling::evenly_spaced, splatter::placed};
 use glam::DVec3;
 
-/// A level has one Gaussian for so many of the avatar's. Files and memory grow by 1/4 + 1/16 + 1/64
-/// of what Gaussians take of them.
-const ONE_IN: [usize; 3] = [4, 16, 64];
+/// A level has one Gaussian for so many of the avatar's. Files and memory grow by 5/6 of what
+/// Gaussians take of them.
+const ONE_IN: &[usize] = &[2, 4, 16, 64];
 /// Fewer for an avatar without networks, whose file has little but its Gaussians: those of a level
 /// deflate less, since neighbours are further apart. A file grows by a third at most.
-const ONE_IN_STILL: [usize; 3] = [6, 24, 96];
+const ONE_IN_STILL: &[usize] = &[6, 24, 96];
 /// The height that a level of so many Gaussians is for, px: a quarter of the Gaussians serve half
 /// the height, since they are twice as large.
 const FOR_HEIGHT: f64 = 120.0;
@@ -27,7 +27,7 @@ const WITH_CORRECTIVES: f64 = 80.0;
 
 /// Heights of the largest images, in units of [`UNIT`] pixels. All other images are averages of
 /// these, of whole pixels.
-const LARGEST: [usize; 3] = [6, 12, 24];
+const LARGEST: [usize; 4] = [6, 12, 24, 48];
 
 /// What a level is for.
 struct LevelPlan {
@@ -115,7 +115,7 @@ impl Heights {
 }
 
 /// Samples a pixel along each axis that levels are measured with.
-const SAMPLES: [usize; 2] = [2, 4];
+const SAMPLES: [usize; 3] = [1, 2, 4];
 /// Poses that tell how far two Gaussians move apart.
 const MERGE_POSES: usize = 6;
 /// Images that levels are measured by.

@@ -14,6 +14,8 @@ use std::f64::consts::TAU;
 pub const UNIT: usize = 10;
 /// What images should show is drawn at this many times their size along each axis.
 const SUPERSAMPLING: usize = 8;
+/// And at most this many units tall: of taller ones fewer samples tell as much.
+const TALLEST: usize = 192;
 /// Images that are drawn side by side: more would take more memory.
 const BATCH: usize = 8;
 /// Radians above and below the horizon that cameras look from.
@@ -132,15 +134,16 @@ pub fn targets(
     seen: &mut [f64],
     progress: &mut dyn FnMut(usize),
 ) -> Vec<LevelTarget> {
+    let supersampling = SUPERSAMPLING.min(TALLEST / largest).max(1);
     let mut all = Vec::with_capacity(views.len());
     for batch in views.chunks(BATCH) {
         let draw = |view: &LevelView| {
-            let units = largest * SUPERSAMPLING;
+            let units = largest * supersampling;
             let splats = whole_splats(avatar, view, units);
             let mut own = vec![0.0; splats.len()];
             let size = view.camera_at(units).size;
             let blended = Blended::new(&splats, size, |k, sum, _| own[k] = sum);
-            let truth = blended.image.averaged(SUPERSAMPLING as u32);
+            let truth = blended.image.averaged(supersampling as u32);
             let target = LevelTarget {
                 view: view.clone(),
                 truth,

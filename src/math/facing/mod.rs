@@ -23,17 +23,25 @@ const NEIGHBOURS: NonZero<usize> = NonZero::new(6).expect("not 0");
 
 /// Gives each Gaussian of an avatar, its levels' too, a cone that leaves out where it never shows:
 /// in some of the given poses, in random ones of those that the avatar was trained for, and in
-/// wilder ones. Cones that it has are ignored. `progress` is called with the number of views done
-/// and of all.
+/// wilder ones. Cones that it has are ignored. `shown`: the share of a pixel from which on a Gaussian
+/// shows; what is less of several may then be missing from one. `progress` is called with the
+/// number of views done and of all.
 ///
 /// # Panics
 /// Where [`Avatar::check`] finds a fault.
-pub fn face(avatar: &mut Avatar, poses: &[Pose], progress: &mut dyn FnMut(usize, usize)) {
+pub fn face(
+    avatar: &mut Avatar,
+    poses: &[Pose],
+    shown: f64,
+    progress: &mut dyn FnMut(usize, usize),
+) {
     let views = views(avatar, poses);
     let all = views.len() * (1 + avatar.levels.len());
     let mut before = 0;
     let mut codes = |drawn: &Avatar| {
-        let seen = directions(drawn, &views, &mut |done| progress(before + done, all));
+        let seen = directions(drawn, &views, shown, &mut |done| {
+            progress(before + done, all)
+        });
         before += views.len();
         codes_of(drawn, &seen)
     };

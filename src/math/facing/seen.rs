@@ -3,22 +3,19 @@
 use super::views::FacingView;
 use crate::splatter::{Blended, Projection, placed, shapes};
 use effigy_core::avatar::Avatar;
-use effigy_core::constants::ALPHA_MIN;
 use effigy_core::reference::project::skinning;
 use glam::Vec3;
 use rayon::prelude::*;
 
-/// What a Gaussian is of a pixel at least where it shows. Less than that of several may be missing
-/// from a pixel (docs/experiments/072 has what other values keep and cost).
-const SHOWN: f64 = 4.0 * ALPHA_MIN;
 /// Views that are drawn side by side: more would take more memory.
 const BATCH: usize = 4;
 
 /// For each Gaussian the directions to the cameras, in the canonical pose, of the views in which it
-/// is at least 4/255 of a pixel. `progress` is called with the number of views done.
+/// is at least `shown` of a pixel. `progress` is called with the number of views done.
 pub fn directions(
     avatar: &Avatar,
     views: &[FacingView],
+    shown: f64,
     progress: &mut dyn FnMut(usize),
 ) -> Vec<Vec<Vec3>> {
     let shapes = shapes(avatar);
@@ -32,10 +29,10 @@ pub fn directions(
                 .zip(&placed)
                 .map(|(shape, placed)| projection.splat(shape, placed))
                 .collect();
-            let mut shown = Vec::new();
+            let mut found = Vec::new();
             Blended::new(&splats, camera.size, |k, _, largest| {
-                if f64::from(largest) >= SHOWN {
-                    shown.push(k);
+                if f64::from(largest) >= shown {
+                    found.push(k);
                 }
             });
             let eye = camera.eye();
@@ -45,7 +42,7 @@ pub fn directions(
                 let back = g.matrix3.transpose() * (eye - placed[k].mean.as_dvec3());
                 (k, back.normalize_or_zero().as_vec3())
             };
-            shown.into_iter().map(direction).collect::<Vec<_>>()
+            found.into_iter().map(direction).collect::<Vec<_>>()
         };
         let seen: Vec<Vec<(usize, Vec3)>> = views.par_iter().map(seen).collect();
         for (k, direction) in seen.into_iter().flatten() {

@@ -16,7 +16,13 @@ use effigy_core::{
     scene::{AvatarBounds, Camera, Framing, Posed},
 };
 use glam::DVec3;
-use std::{f64::consts::TAU, fmt, ops::Range, str::FromStr};
+use std::{
+    borrow::Cow,
+    f64::consts::TAU,
+    fmt,
+    ops::{Range, RangeInclusive},
+    str::FromStr,
+};
 
 /// Frames a second in real time.
 pub const RATE: f64 = 60.0;
@@ -27,6 +33,14 @@ pub const TAKE: usize = 12;
 const ORBIT_STEP: f64 = TAU / 720.0;
 /// Distance from the camera to the face in a close-up, metres: a forearm.
 const FOREARM: f64 = 0.45;
+
+/// How tall a small avatar is whose case names no height, px.
+const FAR: u16 = 60;
+/// Heights that such a case may have, px.
+const FAR_HEIGHTS: RangeInclusive<u16> = 8..=2000;
+/// Height of an avatar in the images that their truth is averaged from, px, where 3 to 8 samples a
+/// pixel allow it.
+const TRUTH_HEIGHT: f64 = 3840.0;
 
 /// Height of the avatar in the first and last frame of a zoom, px, in an image that has room for
 /// it.
@@ -41,23 +55,37 @@ macro_rules! cases {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum BenchCase {
             $(#[doc = $about] $case,)*
+            /// Motion in real time, the avatar so many px tall in the image.
+            Far(u16),
         }
 
         impl BenchCase {
-            /// Every case.
-            pub const ALL: &[Self] = &[$(Self::$case,)*];
+            /// Every case, small avatars of some heights.
+            pub const ALL: &[Self] = &[
+                $(Self::$case,)*
+                Self::Far(30),
+                Self::Far(FAR),
+                Self::Far(120),
+                Self::Far(240),
+                Self::Far(480),
+            ];
 
             /// Name on the command line and in reports.
-            pub fn name(self) -> &'static str {
+            pub fn name(self) -> Cow<'static, str> {
                 match self {
-                    $(Self::$case => $name,)*
+                    $(Self::$case => $name.into(),)*
+                    Self::Far(FAR) => "far".into(),
+                    Self::Far(height) => format!("far{height}").into(),
                 }
             }
 
             /// One line on what it draws.
-            pub fn about(self) -> &'static str {
+            pub fn about(self) -> Cow<'static, str> {
                 match self {
-                    $(Self::$case => $about,)*
+                    $(Self::$case => $about.into(),)*
+                    Self::Far(height) => {
+                        format!("motion in real time, the avatar {height} px tall").into()
+                    }
                 }
             }
         }
@@ -71,11 +99,6 @@ cases! {
     Expression "expression" "only the expression changes"
     Static "static" "nothing changes"
     Close "close" "motion in real time, the camera a forearm from the face"
-    Far30 "far30" "motion in real time, the avatar 30 px tall"
-    Far "far" "motion in real time, the avatar 60 px tall"
-    Far120 "far120" "motion in real time, the avatar 120 px tall"
-    Far240 "far240" "motion in real time, the avatar 240 px tall"
-    Far480 "far480" "motion in real time, the avatar 480 px tall"
     Four "four" "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
     Crowd "crowd" "64 avatars in motion, about 60 px tall if they fit, a slowly orbiting camera"
     Flicker "flicker" "motion in real time, a slowly orbiting camera; what flickers"
@@ -107,11 +130,8 @@ impl BenchCase {
     /// How tall the avatar is in the image, px, where the case says so.
     pub fn tall(self) -> Option<f64> {
         match self {
-            Self::Far30 => Some(30.0),
-            Self::Far | Self::Crowd => Some(60.0),
-            Self::Far120 => Some(120.0),
-            Self::Far240 => Some(240.0),
-            Self::Far480 => Some(480.0),
+            Self::Far(height) => Some(height.into()),
+            Self::Crowd => Some(FAR.into()),
             _ => None,
         }
     }
@@ -119,7 +139,11 @@ impl BenchCase {
     /// How many times its size the reference draws it, before it is averaged. What is small is
     /// compared with what the area of each pixel shows.
     pub fn truth_factor(self) -> u32 {
-        if self.tall().is_some() { 8 } else { 1 }
+        match self.tall() {
+            // Of taller ones fewer samples tell as much.
+            Some(tall) => (TRUTH_HEIGHT / tall).clamp(3.0, 8.0) as u32,
+            None => 1,
+        }
     }
 
     /// Frames to draw unless the user says otherwise. `sweep`: in each round of a sweep.
@@ -157,7 +181,7 @@ impl RenderSetting {
 
 impl fmt::Display for BenchCase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        f.write_str(&self.name())
     }
 }
 
@@ -165,18 +189,20 @@ impl FromStr for BenchCase {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let names = || {
-            Self::ALL
-                .iter()
-                .map(|case| case.name())
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
-        Self::ALL
-            .iter()
-            .copied()
-            .find(|case| case.name() == text)
-            .ok_or_else(|| format!("`{text}` is not a case: write one of {}", names()))
+        if let Some(case) = Self::ALL.iter().find(|case| case.name() == text) {
+            return Ok(*case);
+        }
+        let height = text.strip_prefix("far").and_then(|text| text.parse().ok());
+        if let Some(height) = height.filter(|height| FAR_HEIGHTS.contains(height)) {
+            return Ok(Self::Far(height));
+        }
+        let names: Vec<_> = Self::ALL.iter().map(|case| case.name()).collect();
+        Err(format!(
+            "`{text}` is not a case: write one of {}, or far and a height from {} to {} px",
+            names.join(", "),
+            FAR_HEIGHTS.start(),
+            FAR_HEIGHTS.end()
+        ))
     }
 }
 

@@ -61,7 +61,7 @@ pub struct Rung {
 }
 
 /// Rungs from full quality down, on two paths: that of large avatars, and that of small ones, which
-/// are drawn as if they were 640 px. A smaller image saves next to nothing of those, and a coarser
+/// are drawn as if they were 720 px. A smaller image saves next to nothing of those, and a coarser
 /// level more than half (docs/experiments/057).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ladder {

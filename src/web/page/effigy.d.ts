@@ -30,7 +30,7 @@ export interface Options {
   maxPixelRatio?: number;
   /**
    * How many times its size an avatar is drawn, before it is averaged: `--supersample` of the
-   * command. With "auto", the default, an avatar under 640 px is drawn as if it had that many, at
+   * command. With "auto", the default, an avatar under 720 px is drawn as if it had that many, at
    * most 4 times as large, and from a level of detail of its file where nothing is lost by that. 1
    * draws it as large as it is shown, too thick and flickering. Another value is a RangeError.
    */
