@@ -6,7 +6,7 @@ use crate::{
 };
 use anyhow::{Context, ensure};
 use effigy_measure::{
-    bench::{BenchReport, report::size_chart},
+    bench::{BenchReport, size_chart},
     report::{ReadError, chart_title},
     soak::SoakReport,
     table::{Change, ComparedNumber, Comparison},

@@ -1,13 +1,11 @@
 //! Effigy's laboratory: the program `effigy-lab`, for those who develop Effigy or judge a device.
 //!
 //! - [`stress`] draws hard cases and compares them with the reference.
-//! - [`rates`] measures what a device manages in a second, whatever is drawn.
 //! - [`sorts`] is the report of the sort alone.
 //! - [`verdict`] joins a run's measurements on one GPU to one report.
 //! - `commands` has the subcommands.
 
 mod commands;
-pub mod rates;
 pub mod sorts;
 pub mod stress;
 pub mod verdict;

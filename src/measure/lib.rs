@@ -2,6 +2,8 @@
 //!
 //! - [`mod@bench`] measures time, error, memory and bytes, case by case, and compares reports.
 //! - [`soak`] draws for minutes at a promised rate and records every second.
+//! - [`mod@rates`] measures what a device manages in a second, whatever is drawn.
+//! - [`steps`] is what became of each part of a run.
 //! - [`packing`] measures what each step of packing an avatar saves and costs.
 //! - [`bytes`] computes the bytes and operations of each stage, and their minimum.
 //! - [`error`] is the error of an image: PSNR and largest error.
@@ -15,7 +17,6 @@
 //!   against each other.
 //! - [`chart`] draws the charts of all of them, and of trainings.
 
-#[cfg(feature = "charts")]
 pub mod bench;
 pub mod bytes;
 #[cfg(feature = "charts")]
@@ -25,10 +26,12 @@ pub mod error;
 pub mod flicker;
 pub mod flip;
 pub mod packing;
+pub mod rates;
 pub mod report;
 pub mod setting;
 pub mod similarity;
 pub mod soak;
+pub mod steps;
 pub mod table;
 pub mod viewpoint;
 

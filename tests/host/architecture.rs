@@ -195,7 +195,7 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/lab",
-        modules: &["rates", "sorts", "stress", "verdict", "commands"],
+        modules: &["sorts", "stress", "verdict", "commands"],
     },
     Layers {
         package: "src/math",
@@ -231,6 +231,8 @@ const LAYERS: &[Layers] = &[
             "soak",
             "bench",
             "packing",
+            "rates",
+            "steps",
         ],
     },
     Layers {

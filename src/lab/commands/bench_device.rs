@@ -1,13 +1,13 @@
 //! `effigy-lab bench-device`: what the GPU itself manages, whatever is drawn: bandwidth of copies, and
 //! fill rates.
 
-use crate::rates::{CopyReport, FillReport, RatesReport, RatesSettings, measure_rates};
 use anyhow::ensure;
 use effigy_cli::{
     options::{self, DeviceArgs},
     output::{JSON, Output},
     progress,
 };
+use effigy_measure::rates::{CopyReport, FillReport, RatesReport, RatesSettings, measure_rates};
 use effigy_render::vulkan::Gpu;
 use std::time::Duration;
 
@@ -50,6 +50,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         if let (Some(out), Ok(())) = (&args.json, &kept) {
             kept = out.keep_json(report);
         }
+        true
     };
     let report = measure_rates(&gpu, &settings, command, &mut show, &mut keep)?;
     bar.finish_and_clear();

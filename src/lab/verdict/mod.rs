@@ -12,18 +12,16 @@ mod test_results;
 mod traffic;
 
 pub use named_bench::NamedBench;
-pub use steps::{StepOutcome, VerdictStep};
 pub use test_results::{NotRun, TestResults};
 pub use traffic::StageTraffic;
 
-use crate::{
-    rates::{self, RatesReport},
-    sorts::{self, SortsReport},
-};
+use crate::sorts::{self, SortsReport};
 use effigy_measure::{
     bench,
+    rates::{self, RatesReport},
     report::{Program, read_report},
     soak::{self, SoakReport},
+    steps::{Step, StepOutcome},
 };
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::{fs, io, path::Path};
@@ -41,7 +39,7 @@ pub struct Verdict {
     /// The machine in the words of its own commands.
     pub machine: String,
     /// Every step that was planned.
-    pub steps: Vec<VerdictStep>,
+    pub steps: Vec<Step>,
     /// The tests on the device. Null if they were not begun.
     pub tests: Option<TestResults>,
     /// What `effigy devices --json` says, as it is: the device's features, and what the renderer

@@ -1,12 +1,10 @@
 //! A verdict as a page of Markdown.
 
 use super::{Verdict, named_bench::NamedBench, test_results::TestResults, traffic::StageTraffic};
-use crate::{
-    rates::RatesReport,
-    sorts::{SortRow, SortsReport},
-};
+use crate::sorts::{SortRow, SortsReport};
 use effigy_measure::{
     bench::report::{CaseReport, ErrorReport, SweepReport},
+    rates::RatesReport,
     soak::SoakReport,
 };
 

@@ -2,7 +2,7 @@
 //! memory.
 
 use super::named_bench::NamedBench;
-use crate::rates::RatesReport;
+use effigy_measure::rates::RatesReport;
 use serde::{Deserialize, Serialize};
 
 /// A stage of a case.

@@ -13,12 +13,18 @@ pub mod flicker;
 pub mod frames;
 pub mod measure;
 pub mod report;
+#[cfg(feature = "charts")]
+mod size_chart;
 pub mod spread;
+#[cfg(feature = "charts")]
 pub mod sweep;
 
 pub use case::{BenchCase, BenchTask};
 pub use frames::{Backend, BackendError, BenchDevice};
 pub use measure::measure_case;
 pub use report::BenchReport;
+#[cfg(feature = "charts")]
+pub use size_chart::size_chart;
 pub use spread::measure_spread;
+#[cfg(feature = "charts")]
 pub use sweep::{Parameter, Sweep, run_sweep};

@@ -1,7 +1,7 @@
 //! What a device manages in a second, measured: bytes that it copies and fragments that it fills an
 //! image with. [`measure_rates`] makes a [`RatesReport`], whose fields are the keys of the JSON.
 
-use effigy_measure::report::{DeviceReport, Program};
+use crate::report::{DeviceReport, Program};
 use effigy_render::vulkan::{
     Gpu, Result, RunTimes,
     raster::ColorFormat,
@@ -147,8 +147,8 @@ const FILLINGS: [Filling; 6] = {
 };
 
 /// Measures all rates of a device. `show` hears of each when it begins, and how many of how many
-/// are done; `keep` gets what is measured so far after each. No image is filled where the driver
-/// can't draw triangles.
+/// are done; `keep` gets what is measured so far after each, and says whether to go on. No image is
+/// filled where the driver can't draw triangles.
 ///
 /// # Errors
 /// When the device fails.
@@ -157,7 +157,7 @@ pub fn measure_rates(
     settings: &RatesSettings,
     command: Vec<String>,
     show: &mut dyn FnMut(&str, usize, usize),
-    keep: &mut dyn FnMut(&RatesReport),
+    keep: &mut dyn FnMut(&RatesReport) -> bool,
 ) -> Result<RatesReport> {
     let limit = u64::from(gpu.probe.limits.max_storage_buffer_range);
     let mut report = RatesReport {
@@ -180,13 +180,17 @@ pub fn measure_rates(
         show(&format!("copies of {bytes} bytes"), done, all);
         let measured = measure_copies(gpu, bytes, settings.least)?;
         report.copies.extend(measured);
-        keep(&report);
+        if !keep(&report) {
+            return Ok(report);
+        }
     }
     for (done, filling) in fillings.into_iter().enumerate() {
         let mut show = |what: &str| show(what, copies.len() + done, all);
         let measured = measure_fill(gpu, *filling, settings, &mut show)?;
         report.fills.push(measured);
-        keep(&report);
+        if !keep(&report) {
+            break;
+        }
     }
     Ok(report)
 }
