@@ -49,6 +49,10 @@ pub enum Action {
     Capture,
     /// Share the report of an earlier crash with another app.
     Share,
+    /// Survey the device, or end the survey that runs.
+    Survey,
+    /// Share what the survey found with another app.
+    ShareSurvey,
     /// Show or hide the panel.
     Overlay,
     /// Show or hide the list of keys.

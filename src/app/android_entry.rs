@@ -3,6 +3,7 @@
 
 use crate::{
     android::{
+        ScreenOn,
         crash_report::{self, CrashReport},
         files, java, log, notice,
     },
@@ -12,13 +13,13 @@ use crate::{
     scene::BACKGROUND,
     window::Display,
 };
-use effigy_measure::soak::faults::SoakLimits;
+use effigy_measure::{soak::faults::SoakLimits, survey};
 use effigy_render::vulkan::RendererOptions;
 use std::{
     path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},
 };
-use winit::platform::android::activity::{AndroidApp, WindowManagerFlags};
+use winit::platform::android::activity::AndroidApp;
 
 /// A process can create only one event loop, so it ends with its first activity.
 static STARTED: AtomicBool = AtomicBool::new(false);
@@ -33,6 +34,9 @@ fn android_main(app: AndroidApp) {
         end();
     }
     log::start();
+    if let Some(commit) = option_env!("EFFIGY_COMMIT") {
+        effigy_measure::set_commit(commit);
+    }
     let folders: Vec<PathBuf> = app
         .external_data_path()
         .into_iter()
@@ -65,23 +69,19 @@ fn show(
     let LoadedAvatar { avatar, clips } = files.first()?;
     let display = Display::of_activity(app)?;
     let first = files.opened_index();
-    let message = last_crash.as_ref().map(CrashReport::summary);
-    let minutes = java::soak_minutes(app);
+    let minutes = java::minutes(app, "soak", 20.0);
+    let survey = java::minutes(app, "survey", survey::MINUTES as f32).filter(|_| minutes.is_none());
     let out = folders
         .first()
         .map_or_else(|| "soak".into(), |folder| folder.join("soak"));
+    let measures = survey.map(|_| "measuring this phone: leave it alone until it is over".into());
+    let message = last_crash.as_ref().map(CrashReport::summary).or(measures);
     let soak = minutes.map(|minutes| SoakOptions {
         seconds: 60.0 * minutes,
-        out,
+        out: Some(out),
         bounds: SoakLimits::default(),
     });
-    if soak.is_some() {
-        // Without touches the screen would go dark before the soak is over.
-        app.set_window_flags(
-            WindowManagerFlags::KEEP_SCREEN_ON,
-            WindowManagerFlags::empty(),
-        );
-    }
+    let _screen_on = soak.is_some().then(|| ScreenOn::new(app));
     let options = ViewerOptions {
         gpu: effigy_runtime::cache::headless(None),
         renderer: RendererOptions {
@@ -99,6 +99,7 @@ fn show(
         first,
         folders,
         message,
+        survey,
         crash_report: last_crash.map(|report| report.text),
         quality_control: Some(QualityControl {
             rate: None,
@@ -107,14 +108,7 @@ fn show(
         }),
         trace: None,
     };
-    let shown = display.show(avatar, clips, options);
-    if !java::is_destroyed(app) {
-        app.set_window_flags(
-            WindowManagerFlags::empty(),
-            WindowManagerFlags::KEEP_SCREEN_ON,
-        );
-    }
-    shown
+    display.show(avatar, clips, options)
 }
 
 /// Ends the process at once: the graphics driver's threads and the system's own may be running, so

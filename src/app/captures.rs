@@ -51,6 +51,11 @@ impl Captures {
         self.renderdoc_attached = RenderDoc::attached().is_some();
     }
 
+    /// Folders for what is saved, in order of preference.
+    pub fn folders(&self) -> &[PathBuf] {
+        &self.folders
+    }
+
     /// Whether RenderDoc can capture a frame.
     pub fn has_renderdoc(&self) -> bool {
         self.renderdoc_attached

@@ -15,6 +15,7 @@
 //! | live avatar | [`live`] | what the avatar is by now |
 //! | captures | `captures`, [`screenshot`] | screenshots, RenderDoc captures, the trace |
 //! | trials | `question` | whether quads or tiles are faster, for the next start |
+//! | survey | `survey` | what the device manages, measured when asked for |
 //!
 //! [`painter`] draws a frame into the window, [`ui`] the panel over it. [`action`] lists what a
 //! user can ask for, and the keys.
@@ -49,6 +50,7 @@ mod question;
 mod recovery;
 pub mod scene;
 pub mod screenshot;
+mod survey;
 pub mod tap_gesture;
 pub mod ui;
 pub mod viewer;

@@ -26,6 +26,8 @@ pub enum Message {
     },
     /// Nobody is left who makes newer ones.
     Close,
+    /// The survey's thread has told something, or has ended.
+    Survey,
 }
 
 /// Files that were dropped on the window, and what was read of them.

@@ -40,6 +40,8 @@ pub struct ViewerOptions {
     pub message: Option<String>,
     /// The report of an earlier crash, which the panel offers to share.
     pub crash_report: Option<String>,
+    /// Survey the device once the first frame is drawn, in so many minutes.
+    pub survey: Option<f64>,
     /// How to hold a frame rate. None: full quality at any frame rate.
     pub quality_control: Option<QualityControl>,
     /// File for a timeline of host and device, written at the end.
@@ -65,6 +67,7 @@ impl ViewerOptions {
             folders: crate::screenshot::folders(),
             message: None,
             crash_report: None,
+            survey: None,
             quality_control: None,
             trace: None,
         }

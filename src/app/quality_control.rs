@@ -40,8 +40,9 @@ pub struct QualityControl {
 pub struct SoakOptions {
     /// How long it lasts.
     pub seconds: f64,
-    /// Path of the files to write, without their extensions.
-    pub out: PathBuf,
+    /// Path of the files to write, without their extensions. None: [`QualityController::result`] is
+    /// asked for the report.
+    pub out: Option<PathBuf>,
     /// Limits of a soak without faults.
     pub bounds: SoakLimits,
 }
@@ -61,8 +62,8 @@ pub struct QualityController {
     /// The results need it, also after the device was lost.
     last_drawn: Option<DrawnWith>,
     drift: DriftReference,
-    /// Number of frames whose results are written.
-    frames_written: u64,
+    /// Number of frames whose results are reported.
+    frames_reported: u64,
 }
 
 /// How frames were drawn.
@@ -106,7 +107,7 @@ impl QualityController {
             last_frame: f64::NEG_INFINITY,
             last_drawn: None,
             drift: DriftReference::Pending,
-            frames_written: 0,
+            frames_reported: 0,
         }
     }
 
@@ -253,10 +254,10 @@ impl QualityController {
         scene: &ViewerScene,
         painter: Option<&mut WindowPainter>,
     ) -> anyhow::Result<()> {
-        let drift = painter.and_then(|painter| self.compare_drift(painter));
-        let Some(report) = self.write(scene, drift)? else {
+        let Some(report) = self.result(scene, painter) else {
             return Ok(());
         };
+        self.write(&report)?;
         anyhow::ensure!(report.faults.is_empty(), "{}", report.faults.join("; "));
         tracing::info!(
             "soak: {:.1} frames a second of {} promised, no faults",
@@ -264,6 +265,17 @@ impl QualityController {
             report.rate
         );
         Ok(())
+    }
+
+    /// Ends a soak, as [`Self::conclude`] does, and returns its report. None if there is no soak, or
+    /// nothing new.
+    pub fn result(
+        &mut self,
+        scene: &ViewerScene,
+        painter: Option<&mut WindowPainter>,
+    ) -> Option<SoakReport> {
+        let drift = painter.and_then(|painter| self.compare_drift(painter));
+        self.report(scene, drift)
     }
 
     /// Draws the frame of the start again and compares. None if that is not possible.
@@ -283,31 +295,27 @@ impl QualityController {
     /// Writes the results of a soak so far, if there are new ones: the system may end the program
     /// without notice.
     pub fn save(&mut self, scene: &ViewerScene) {
-        if let Err(error) = self.write(scene, None) {
+        if let Some(report) = self.report(scene, None)
+            && let Err(error) = self.write(&report)
+        {
             tracing::error!("the soak's results are lost: {error:#}");
         }
     }
 
-    /// Writes the results of a soak. None if there is no soak, or nothing new.
-    fn write(
+    /// The report of a soak so far. None if there is no soak, or nothing new.
+    fn report(
         &mut self,
         scene: &ViewerScene,
         drift: Option<report::RedrawnFrame>,
-    ) -> anyhow::Result<Option<SoakReport>> {
-        let Some(soak) = &self.soak else {
-            return Ok(None);
-        };
-        let Some(player) = scene.player() else {
-            return Ok(None);
-        };
-        let Some(drawn) = &self.last_drawn else {
-            return Ok(None);
-        };
+    ) -> Option<SoakReport> {
+        let soak = self.soak.as_ref()?;
+        let player = scene.player()?;
+        let drawn = self.last_drawn.as_ref()?;
         let frames = self.session.totals().frames;
-        if self.frames_written == frames {
-            return Ok(None);
+        if self.frames_reported == frames {
+            return None;
         }
-        self.frames_written = frames;
+        self.frames_reported = frames;
         let task = SoakTask {
             avatar: scene.avatar(),
             player,
@@ -328,11 +336,19 @@ impl QualityController {
                 report.planned_seconds
             );
         }
-        for path in files::write_report(&report, &soak.out)? {
+        Some(report)
+    }
+
+    /// Writes the files of a soak, if it has any.
+    fn write(&self, report: &SoakReport) -> anyhow::Result<()> {
+        let Some(out) = self.soak.as_ref().and_then(|soak| soak.out.as_ref()) else {
+            return Ok(());
+        };
+        for path in files::write_report(report, out)? {
             tracing::info!("soak: wrote {}", path.display());
             println!("wrote {}", path.display());
         }
-        Ok(Some(report))
+        Ok(())
     }
 }
 

@@ -84,6 +84,11 @@ impl BackgroundTrials {
         trial::withdraw();
     }
 
+    /// Their progress, for another thread.
+    pub fn watch(&self) -> SharedProgress {
+        self.progress.clone()
+    }
+
     /// Whether the trials may have caused the loss of the window's device. True at most once: later
     /// losses are the window's own.
     pub fn may_have_lost_the_device(&self) -> bool {
@@ -93,7 +98,7 @@ impl BackgroundTrials {
 
 /// The progress of the trials, which the window watches.
 #[derive(Clone)]
-struct SharedProgress(Arc<Mutex<TrialProgress>>);
+pub struct SharedProgress(Arc<Mutex<TrialProgress>>);
 
 impl Default for SharedProgress {
     fn default() -> Self {
@@ -112,6 +117,12 @@ impl SharedProgress {
                 _ => TrialProgress::Ended,
             };
         }
+    }
+
+    /// Whether the trials still run.
+    pub fn is_running(&self) -> bool {
+        let own = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        matches!(*own, TrialProgress::Running)
     }
 
     /// Whether the trials, and not the window's method, may be to blame for a lost device. True at

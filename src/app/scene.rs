@@ -307,6 +307,8 @@ impl ViewerScene {
             | Action::Overlay
             | Action::Keys
             | Action::Open
+            | Action::Survey
+            | Action::ShareSurvey
             | Action::Quit => {}
         }
     }

@@ -13,16 +13,18 @@ use crate::{
     message::{DroppedRead, Message},
     options::{DriverLoss, ViewerOptions},
     painter::WindowPainter,
-    quality_control::QualityController,
+    quality_control::{QualityControl, QualityController, SoakOptions},
     question::BackgroundTrials,
     recovery::{REHEARSAL, Recovery},
     scene::{FrameContent, ViewerBackground, ViewerScene},
+    survey::{Survey, SurveyStart},
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
 use anyhow::Context;
 use effigy_core::avatar::Avatar;
+use effigy_measure::{soak::faults::SoakLimits, survey};
 use effigy_render::vulkan::{Error, RendererOptions, cache};
-use effigy_runtime::slow_start::SlowStart;
+use effigy_runtime::{governor::FrameQuality, slow_start::SlowStart};
 use std::{path::PathBuf, sync::Arc, time::Instant};
 use winit::{
     event::{KeyEvent, WindowEvent},
@@ -54,6 +56,11 @@ pub struct Viewer {
     recovery: Recovery,
     /// Started with the first frame, if there is anything left to time.
     trials: Option<BackgroundTrials>,
+    /// The last survey of the device.
+    survey: Option<Survey>,
+    /// While it runs.
+    #[cfg(target_os = "android")]
+    screen_on: Option<crate::android::ScreenOn>,
     /// From a device's opening to its first frame.
     slow_start: Option<SlowStart>,
     /// Shown before, until the first frame of the scene is drawn.
@@ -120,6 +127,9 @@ impl Viewer {
             quality: None,
             recovery: Recovery::new(std::mem::take(&mut options.rehearse)),
             trials: None,
+            survey: None,
+            #[cfg(target_os = "android")]
+            screen_on: None,
             slow_start: None,
             previous: None,
             captures: Captures::new(
@@ -216,6 +226,7 @@ impl Viewer {
 
     /// The system takes the window away. The device stays for the next one.
     pub fn suspend(&mut self) {
+        self.end_survey("the window was left");
         self.window.suspend();
         self.clock.rest();
         self.release_pointers();
@@ -375,6 +386,13 @@ impl Viewer {
                 let report = self.options.crash_report.clone().unwrap_or_default();
                 crate::android::share(crate::android::activity(event_loop), report);
             }
+            #[cfg(target_os = "android")]
+            Action::ShareSurvey => {
+                let text = self.survey.as_ref().map(Survey::json).unwrap_or_default();
+                crate::android::share(crate::android::activity(event_loop), text);
+            }
+            Action::Survey if self.is_surveying() => self.end_survey("it was stopped"),
+            Action::Survey => self.start_survey(survey::MINUTES, event_loop),
             Action::Screenshot => self.captures.request_screenshot(),
             Action::Capture => self.message = Some(self.captures.request_renderdoc()),
             Action::Overlay => {
@@ -432,6 +450,10 @@ impl Viewer {
             Message::Loaded { index, loaded } => self.show_avatar(index, *loaded),
             Message::Dropped(read) => self.show_dropped(*read),
             Message::Newer { avatar, .. } => self.show_newer(avatar),
+            Message::Survey => {
+                self.advance_survey();
+                Ok(())
+            }
             Message::Close => {
                 event_loop.exit();
                 Ok(())
@@ -542,6 +564,7 @@ impl Viewer {
 
     /// Shows another avatar of the file list.
     fn show_avatar(&mut self, index: usize, loaded: LoadedAvatar) -> anyhow::Result<()> {
+        self.end_survey("another avatar was shown");
         let LoadedAvatar { avatar, clips } = loaded;
         let background = self.scene.background();
         let now = self.clock.now();
@@ -618,9 +641,18 @@ impl Viewer {
         for action in actions {
             self.act(action, event_loop);
         }
-        if let Some(quality) = &mut self.quality
-            && quality.is_over()
+        if self.clock.frames() > 0
+            && let Some(minutes) = self.options.survey.take()
         {
+            self.start_survey(minutes, event_loop);
+        }
+        let is_over = self
+            .quality
+            .as_ref()
+            .is_some_and(QualityController::is_over);
+        if is_over && self.is_surveying() {
+            self.end_survey("its soak drew nothing");
+        } else if is_over && let Some(quality) = &mut self.quality {
             event_loop.exit();
             return quality.conclude(&self.scene, self.painter.as_mut());
         }
@@ -710,6 +742,8 @@ impl Viewer {
 
     /// Lays out the panel for a frame that begins at `now`, seconds. None without a window.
     fn lay_out_panel(&mut self, now: f64) -> Option<OverlayFrame> {
+        let is_surveying = self.is_surveying();
+        let can_survey = is_surveying || !self.options.live && !self.is_continuous();
         let window = self.window.get()?;
         let overlay = self.overlay.as_mut()?;
         let painter = self.painter.as_ref()?;
@@ -736,6 +770,9 @@ impl Viewer {
             drawing: painter.drawing(),
             memory: self.memory.bytes,
             playback: self.scene.playback(),
+            can_survey,
+            is_surveying,
+            survey: self.survey.as_ref().map_or(&[], Survey::words),
             file_list: &self.options.file_list,
             has_crash_report: self.options.crash_report.is_some(),
             has_renderdoc: self.captures.has_renderdoc(),
@@ -905,12 +942,17 @@ impl Viewer {
 
     /// Whether the device was lost or hangs, and trials behind the window may be to blame. Then the
     /// way to draw is not, before it loses the device again.
-    fn is_excused(&self, error: &anyhow::Error) -> bool {
+    fn is_excused(&mut self, error: &anyhow::Error) -> bool {
         let is_lost = match error.downcast_ref::<Error>() {
             Some(Error::DeviceLost(call)) => *call != REHEARSAL,
             Some(Error::Timeout { .. }) => true,
             _ => false,
         };
+        if is_lost && self.survey.as_ref().is_some_and(Survey::is_measuring) {
+            tracing::warn!("the device was lost while it was surveyed on another");
+            self.end_survey("the device was lost");
+            return true;
+        }
         let trials = self.trials.as_ref().filter(|_| is_lost);
         let is_excused = trials.is_some_and(BackgroundTrials::may_have_lost_the_device);
         if is_excused {
@@ -938,6 +980,97 @@ impl Viewer {
         self.show_message(message);
     }
 
+    // The survey.
+
+    fn is_surveying(&self) -> bool {
+        self.survey.as_ref().is_some_and(Survey::is_running)
+    }
+
+    /// Starts a survey of the device. The clip stands still while nothing but it is to be measured.
+    fn start_survey(&mut self, minutes: f64, event_loop: &ActiveEventLoop) {
+        let Some(painter) = &self.painter else {
+            return;
+        };
+        self.survey = Survey::start(SurveyStart {
+            options: &self.options.gpu,
+            painter,
+            scene: &self.scene,
+            trials: self.trials.as_ref(),
+            last: self.survey.take(),
+            minutes,
+            folders: self.captures.folders().to_vec(),
+            proxy: self.proxy.clone(),
+        });
+        self.play(false);
+        #[cfg(not(target_os = "android"))]
+        let _ = event_loop;
+        #[cfg(target_os = "android")]
+        {
+            let activity = crate::android::activity(event_loop);
+            self.screen_on = Some(crate::android::ScreenOn::new(activity));
+        }
+    }
+
+    /// The survey's thread has told something, or has ended: then the window soaks.
+    fn advance_survey(&mut self) {
+        self.clock.invalidate();
+        let Some(seconds) = self.survey.as_mut().and_then(Survey::receive) else {
+            return;
+        };
+        let options = QualityControl {
+            rate: None,
+            governed: true,
+            soak: Some(SoakOptions {
+                seconds,
+                out: None,
+                bounds: SoakLimits::default(),
+            }),
+        };
+        let rate = self.window.refresh_rate();
+        self.quality = Some(QualityController::new(&options, rate));
+        self.play(true);
+    }
+
+    /// Ends the survey, if one runs, and keeps what it has. `why`: of what is missing.
+    fn end_survey(&mut self, why: &str) {
+        let Some(survey) = self.survey.as_mut().filter(|survey| survey.is_running()) else {
+            return;
+        };
+        let mut soak = None;
+        if survey.is_soaking() {
+            let own = self.options.quality_control.as_ref();
+            let rate = self.window.refresh_rate();
+            let own = own.map(|options| QualityController::new(options, rate));
+            let soaked = std::mem::replace(&mut self.quality, own);
+            soak = soaked.and_then(|mut quality| {
+                let painter = self.painter.as_mut().filter(|_| quality.is_over());
+                quality.result(&self.scene, painter)
+            });
+            if let Some(painter) = &mut self.painter
+                && let Err(error) = painter.set_quality(&FrameQuality::FULL)
+            {
+                tracing::warn!("{error}");
+            }
+        }
+        let message = survey.end(soak, why);
+        println!("{message}");
+        let was_playing = survey.was_playing;
+        self.play(was_playing);
+        self.show_message(message);
+        #[cfg(target_os = "android")]
+        {
+            self.screen_on = None;
+        }
+    }
+
+    /// Has the clip play or stand still.
+    fn play(&mut self, play: bool) {
+        if self.scene.playback().is_playing() != play {
+            let now = self.clock.now();
+            self.scene.act(Action::PlayOrPause, now, self.frame_size);
+        }
+    }
+
     /// Saves a soak's results while there is no window: the system may then end the program without
     /// notice.
     pub fn save_while_suspended(&mut self) {
@@ -953,6 +1086,7 @@ impl Viewer {
     /// # Errors
     /// If a soak has found faults, or its results can't be written.
     pub fn finish(mut self) -> anyhow::Result<()> {
+        self.end_survey("the window was closed");
         let concluded = match &mut self.quality {
             Some(quality) => quality.conclude(&self.scene, None),
             None => Ok(()),
@@ -964,6 +1098,9 @@ impl Viewer {
             self.captures.write_trace(painter.gpu());
         }
         self.painter = None;
+        if let Some(survey) = self.survey.take() {
+            survey.wait();
+        }
         self.captures.finish();
         let frames = self.clock.frames();
         if let Some([median, p95]) = self.clock.durations_ms() {

@@ -122,7 +122,7 @@ impl Args {
         use effigy_measure::soak::faults::SoakLimits;
         let soak = self.soak.map(|minutes| SoakOptions {
             seconds: 60.0 * minutes,
-            out: SOAK.into(),
+            out: Some(SOAK.into()),
             bounds: SoakLimits::default(),
         });
         (self.governor || soak.is_some()).then_some(QualityControl {

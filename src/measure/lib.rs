@@ -3,7 +3,8 @@
 //! - [`mod@bench`] measures time, error, memory and bytes, case by case, and compares reports.
 //! - [`soak`] draws for minutes at a promised rate and records every second.
 //! - [`mod@rates`] measures what a device manages in a second, whatever is drawn.
-//! - [`steps`] is what became of each part of a run.
+//! - [`survey`] measures a device in three minutes by these; [`steps`] is what became of each part of
+//!   a run.
 //! - [`packing`] measures what each step of packing an avatar saves and costs.
 //! - [`bytes`] computes the bytes and operations of each stage, and their minimum.
 //! - [`error`] is the error of an image: PSNR and largest error.
@@ -32,6 +33,7 @@ pub mod setting;
 pub mod similarity;
 pub mod soak;
 pub mod steps;
+pub mod survey;
 pub mod table;
 pub mod viewpoint;
 

@@ -14,6 +14,7 @@ mod rates;
 #[macro_use]
 mod small;
 mod stages;
+mod survey;
 mod train;
 #[cfg(feature = "webgpu")]
 mod webgpu;
@@ -51,6 +52,7 @@ fn main() -> ExitCode {
             memory,
             present,
             rates,
+            survey,
             #[cfg(feature = "webgpu")]
             webgpu,
             #[cfg(feature = "webgpu")]

@@ -50,6 +50,7 @@ const LAYERS: &[Layers] = &[
             "screenshot",
             "captures",
             "question",
+            "survey",
             "options",
             "recovery",
             "tap_gesture",
@@ -233,6 +234,7 @@ const LAYERS: &[Layers] = &[
             "packing",
             "rates",
             "steps",
+            "survey",
         ],
     },
     Layers {

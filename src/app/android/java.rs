@@ -19,6 +19,9 @@ use winit::platform::android::activity::AndroidApp;
 /// and _HIDE_NAVIGATION.
 const IMMERSIVE: i32 = 0x1000 | 0x4 | 0x2 | 0x100 | 0x400 | 0x200;
 
+/// FLAG_KEEP_SCREEN_ON of a window.
+const KEEP_SCREEN_ON: i32 = 0x80;
+
 /// Calls into Java on this thread, with the activity. An exception is caught and becomes the error.
 fn call<T>(app: &AndroidApp, function: impl FnOnce(&mut Env, &JObject) -> Result<T>) -> Result<T> {
     let activity = app.activity_as_ptr().cast();
@@ -70,6 +73,13 @@ fn intent<'e>(env: &mut Env<'e>, activity: &JObject) -> Result<JObject<'e>> {
     .l()
 }
 
+/// The window of the activity.
+fn window<'e>(env: &mut Env<'e>, activity: &JObject) -> Result<JObject<'e>> {
+    let signature = jni_sig!("()Landroid/view/Window;");
+    env.call_method(activity, jni_str!("getWindow"), signature, &[])?
+        .l()
+}
+
 /// The display that the activity is on.
 fn display<'e>(env: &mut Env<'e>, activity: &JObject) -> Result<JObject<'e>> {
     let manager = env
@@ -110,14 +120,7 @@ pub fn back(app: &AndroidApp) {
 /// Fills the screen: the system's bars come back for a moment when they are swiped in.
 pub fn hide_bars(app: &AndroidApp) {
     call_on_main_thread(app, "hiding the system's bars", |env, activity| {
-        let window = env
-            .call_method(
-                activity,
-                jni_str!("getWindow"),
-                jni_sig!("()Landroid/view/Window;"),
-                &[],
-            )?
-            .l()?;
+        let window = window(env, activity)?;
         let view = env
             .call_method(
                 &window,
@@ -133,6 +136,22 @@ pub fn hide_bars(app: &AndroidApp) {
             &[JValue::Int(IMMERSIVE)],
         )?
         .v()
+    });
+}
+
+/// Keeps the screen from going dark without touches, or no longer. The glue's own call would wait
+/// for the events that it is called from.
+pub fn keep_screen_on(app: &AndroidApp, on: bool) {
+    call_on_main_thread(app, "keeping the screen on", move |env, activity| {
+        let window = window(env, activity)?;
+        let name = if on {
+            jni_str!("addFlags")
+        } else {
+            jni_str!("clearFlags")
+        };
+        let flags = [JValue::Int(KEEP_SCREEN_ON)];
+        env.call_method(&window, name, jni_sig!("(I)V"), &flags)?
+            .v()
     });
 }
 
@@ -174,12 +193,12 @@ pub fn refresh_rate(app: &AndroidApp) -> Option<f64> {
         .filter(|rate| rate.is_finite() && *rate > 0.0)
 }
 
-/// Minutes of the soak that the activity was started for: `adb shell am start -S -n … --ef soak
-/// 20`.
-pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
+/// Minutes of what the activity was started for, `soak` or `survey`: `adb shell am start -S -n …
+/// --ef soak 20`. `default`: where the number is none.
+pub fn minutes(app: &AndroidApp, name: &str, default: f32) -> Option<f64> {
     call_or_log(app, "reading the intent", |env, activity| {
         let intent = intent(env, activity)?;
-        let name = env.new_string("soak")?;
+        let name = env.new_string(name)?;
         if !env
             .call_method(
                 &intent,
@@ -191,7 +210,7 @@ pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
         {
             return Ok(None);
         }
-        let arguments = [JValue::Object(&name), JValue::Float(20.0)];
+        let arguments = [JValue::Object(&name), JValue::Float(default)];
         let minutes = env
             .call_method(
                 &intent,

@@ -51,6 +51,12 @@ pub struct PanelFacts<'a> {
     pub playback: &'a Playback,
     /// Avatars to choose from.
     pub file_list: &'a FileList,
+    /// The device can be surveyed: the avatar has a clip, and nobody else needs the device.
+    pub can_survey: bool,
+    /// It is being surveyed.
+    pub is_surveying: bool,
+    /// What the survey does or found; empty if there was none.
+    pub survey: &'a [String],
     /// There is a crash report to share.
     pub has_crash_report: bool,
     /// RenderDoc is attached.
@@ -113,6 +119,7 @@ pub fn show(ctx: &egui::Context, facts: &PanelFacts, actions: &mut Vec<Action>) 
                     clip_controls(ui, facts.playback, actions);
                     ui.separator();
                     view_controls(ui, facts, actions);
+                    survey(ui, facts, actions);
                     ui.separator();
                     timing(ui, facts);
                     egui::CollapsingHeader::new("Stages")
@@ -314,6 +321,34 @@ fn view_controls(ui: &mut Ui, facts: &PanelFacts, actions: &mut Vec<Action>) {
             }
         });
     });
+}
+
+/// The survey's button, what it does or found, and the way to share that.
+fn survey(ui: &mut Ui, facts: &PanelFacts, actions: &mut Vec<Action>) {
+    let text = match facts.is_surveying {
+        true => "Stop measuring",
+        false if cfg!(target_os = "android") => "Measure this phone",
+        false => "Measure this device",
+    };
+    if facts.can_survey {
+        let hint =
+            "three minutes, best left alone: then figures, and a file without anything personal";
+        button(ui, text, hint, Action::Survey, actions);
+    }
+    for line in facts.survey {
+        ui.label(line);
+    }
+    let has_result = !facts.survey.is_empty() && !facts.is_surveying;
+    if has_result && cfg!(target_os = "android") {
+        let hint = "send the file as text to another app";
+        button(
+            ui,
+            "Share the measurement",
+            hint,
+            Action::ShareSurvey,
+            actions,
+        );
+    }
 }
 
 fn timing(ui: &mut Ui, facts: &PanelFacts) {
@@ -555,6 +590,9 @@ mod tests {
             background: [0.5; 3],
             follow: true,
             message: Some("saved"),
+            can_survey: true,
+            is_surveying: false,
+            survey: &[],
             has_crash_report: true,
             has_renderdoc: true,
         }
@@ -622,6 +660,7 @@ mod tests {
         assert!(asked_for(|w| matches!(w, Action::Screenshot)), "screenshot");
         assert!(asked_for(|w| matches!(w, Action::Share)), "share");
         assert!(asked_for(|w| matches!(w, Action::Capture)), "capture");
+        assert!(asked_for(|w| matches!(w, Action::Survey)), "survey");
         assert!(asked_for(|w| matches!(w, Action::Keys)), "keys");
         assert!(asked_for(|w| matches!(w, Action::Follow(false))), "follow");
     }

@@ -160,14 +160,14 @@ fn drift_fault(drift: &Drift) -> Option<String> {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::report::{ErrorReport, tests as fixtures};
     use crate::soak::report::{RedrawnFrame, SCHEMA};
     use effigy_runtime::governor::Ladder;
 
     /// A faultless minute at 60 frames a second.
-    pub(in crate::soak) fn report() -> SoakReport {
+    pub(crate) fn report() -> SoakReport {
         let second = |at: usize| Second {
             seconds: at as f64,
             frames: 60,

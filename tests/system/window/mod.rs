@@ -481,6 +481,30 @@ fn without_a_display_and_arguments_images_are_rendered() {
     assert!(success && text.contains("effigy-turntable"), "{text}");
 }
 
+/// What it measures is in `tests/gpu/survey.rs`, its soak in the app's scripts.
+fn a_survey_begins_and_ends_by_its_button() {
+    let mut session = start(&["--size", "700x500"]);
+    session.wait_for_frames(3);
+    // Upwards to the lowest button of the panel: what is below shows times, and takes no clicks.
+    let button = (150..300).rev().step_by(6).find(|&y| {
+        session.click([60, y]);
+        session.sleep(0.2);
+        session.has_said("survey: ")
+    });
+    let button = [60, button.expect("the panel has no button for a survey")];
+    session.wait_for_text("survey: rates: ");
+    session.click(button);
+    session.wait_for_text("survey: incomplete");
+    let text = std::fs::read_to_string(session.wait_for_line("wrote ")).unwrap();
+    let report = effigy_measure::survey::SurveyReport::read(&text).unwrap();
+    assert!(report.over && !report.is_complete(), "{report:?}");
+    assert!(report.rates.is_some() && report.soak.is_none());
+    assert_eq!(report.steps.last().unwrap().note, "it was stopped");
+    // The clip plays again.
+    session.wait_for_frames(3);
+    session.quit();
+}
+
 tests! {
     the_avatar_moves_and_nothing_is_drawn_while_it_is_paused,
     the_image_follows_every_resize,
@@ -497,6 +521,7 @@ tests! {
     a_number_of_frames_is_drawn_and_timed,
     a_soak_in_the_window_writes_its_files_and_ends,
     a_soak_whose_window_is_closed_keeps_its_results,
+    a_survey_begins_and_ends_by_its_button,
     a_capture_without_renderdoc_says_how_to_attach_it,
     a_training_shows_what_it_has_learned_and_outlives_its_window,
     a_training_that_ends_closes_its_window,

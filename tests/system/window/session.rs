@@ -328,6 +328,17 @@ impl Session {
         self.fake(xproto::BUTTON_RELEASE_EVENT, 1, [0, 0]);
     }
 
+    /// Clicks with the left button.
+    pub fn click(&self, at: [i16; 2]) {
+        self.drag(at, at);
+    }
+
+    /// Whether the program has said a text by now.
+    pub fn has_said(&self, text: &str) -> bool {
+        let log = self.log.lock().unwrap();
+        log.iter().any(|line| line.contains(text))
+    }
+
     /// Turns the wheel up.
     pub fn wheel(&self, notches: u32) {
         for _ in 0..notches {
