@@ -49,7 +49,7 @@ fn outputs_are_checked_before_the_work() {
 fn what_is_not_there_is_a_sentence() {
     let (works, said) = lab("verdict no-folder");
     assert!(
-        !works && said.contains("no-folder is not a run's folder"),
+        !works && said.contains("no-folder is neither a run's folder nor a survey's file"),
         "{said}"
     );
 }

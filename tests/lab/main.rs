@@ -5,10 +5,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod commands;
+mod phone;
 
 use crate::common::harness::{self, Group};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    harness::main("lab", Group::Host, modules![commands])
+    harness::main("lab", Group::Host, modules![commands, phone])
 }

@@ -1,4 +1,5 @@
-//! `effigy-lab verdict`: joins what a run of `tools/gpu/run.sh` measured to one JSON and one page.
+//! `effigy-lab verdict`: joins what a run of `tools/gpu/run.sh` or a survey measured to one JSON and
+//! one page.
 
 use crate::verdict::Verdict;
 use anyhow::{Context, ensure};
@@ -7,7 +8,7 @@ use std::path::PathBuf;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Folder with the files of a run of tools/gpu/run.sh
+    /// Folder with the files of a run of tools/gpu/run.sh, or a survey's file, as the app makes it
     folder: PathBuf,
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE", value_parser = JSON.parser())]
@@ -18,8 +19,12 @@ pub struct Args {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let verdict = Verdict::read(&args.folder, std::env::args().collect())
-        .with_context(|| format!("{} is not a run's folder", args.folder.display()))?;
+    let verdict = Verdict::read(&args.folder, std::env::args().collect()).with_context(|| {
+        format!(
+            "{} is neither a run's folder nor a survey's file",
+            args.folder.display()
+        )
+    })?;
     if let Some(out) = &args.json {
         out.write_json(&verdict)?;
     }

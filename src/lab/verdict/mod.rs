@@ -1,4 +1,5 @@
-//! One verdict on a GPU, from the files that a run of `tools/gpu/run.sh` left in a folder: the
+//! One verdict on a GPU, from the files that a run of `tools/gpu/run.sh` left in a folder, or from
+//! the file of a survey, as the app makes it: the
 //! steps and what became of them, tests, sorts, rates, frames and a soak. [`Verdict`] is the whole
 //! JSON file; the fields are its keys. [`page`](Verdict::page) is the same as a page of Markdown.
 //!
@@ -16,13 +17,16 @@ pub use test_results::{NotRun, TestResults};
 pub use traffic::StageTraffic;
 
 use crate::sorts::{self, SortsReport};
+use effigy_core::frame::SortVariant;
 use effigy_measure::{
-    bench,
+    bench::{self, BenchReport},
     rates::{self, RatesReport},
-    report::{Program, read_report},
+    report::{DeviceReport, Program, read_report},
     soak::{self, SoakReport},
     steps::{Step, StepOutcome},
+    survey::SurveyReport,
 };
+use effigy_render::vulkan::trial::Tried;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::{fs, io, path::Path};
 
@@ -34,8 +38,12 @@ pub const SCHEMA: &str = "effigy-verdict-1";
 pub struct Verdict {
     /// [`SCHEMA`].
     pub schema: String,
-    /// The program that joined the files.
+    /// The program that joined the files, or that of a survey.
     pub program: Program,
+    /// The device. Null if nothing that names it was measured, and in verdicts from before
+    /// 28 November 2026.
+    #[serde(default)]
+    pub device: Option<DeviceReport>,
     /// The machine in the words of its own commands.
     pub machine: String,
     /// Every step that was planned.
@@ -47,6 +55,9 @@ pub struct Verdict {
     pub devices: Option<serde_json::Value>,
     /// Copies and fill rates.
     pub rates: Option<RatesReport>,
+    /// What the self-test of a survey says of each sort.
+    #[serde(default)]
+    pub self_test: Vec<Tried<SortVariant>>,
     /// The sort's matrix.
     pub sorts: Option<SortsReport>,
     /// Cases and sweeps.
@@ -60,11 +71,15 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Joins the files of a folder. `command`: the command line.
+    /// Joins the files of a folder, or reads a survey's file. `command`: the command line.
     ///
     /// # Errors
-    /// When the folder can't be read, or has no plan of steps.
+    /// When the folder can't be read, or has no plan of steps; when the file is no survey's.
     pub fn read(folder: &Path, command: Vec<String>) -> io::Result<Self> {
+        if folder.is_file() {
+            let survey = SurveyReport::read(&fs::read_to_string(folder)?);
+            return survey.map(Self::from).map_err(io::Error::other);
+        }
         let mut files = ResultFolder {
             folder,
             unread: Vec::new(),
@@ -90,14 +105,23 @@ impl Verdict {
                 });
             }
         }
+        let sorts: Option<SortsReport> = files.report("sorts.json", sorts::SCHEMA);
+        let of_rates = rates.iter().map(|rates| &rates.device);
+        let of_sorts = sorts.iter().map(|sorts| &sorts.device);
+        let of_benches = benches
+            .iter()
+            .map(|bench: &NamedBench| &bench.report.device);
+        let mut devices = of_rates.chain(of_sorts).chain(of_benches);
         Ok(Self {
+            device: devices.next().cloned(),
             schema: SCHEMA.to_owned(),
             program: Program::current(command),
             machine: files.text("machine.txt").unwrap_or_default(),
             steps: steps::steps(&plan, &table),
             tests,
             devices: files.json("devices.json"),
-            sorts: files.report("sorts.json", sorts::SCHEMA),
+            self_test: Vec::new(),
+            sorts,
             soak: files.report("soak.json", soak::report::SCHEMA),
             traffic: traffic::traffic(&benches, rates.as_ref()),
             rates,
@@ -130,6 +154,32 @@ impl Verdict {
         }
         faults.extend(self.unread.iter().cloned());
         faults
+    }
+}
+
+impl From<SurveyReport> for Verdict {
+    fn from(survey: SurveyReport) -> Self {
+        let named = |report: BenchReport| NamedBench {
+            name: report.options.raster.clone(),
+            report,
+        };
+        let benches: Vec<_> = survey.frames.into_iter().map(named).collect();
+        Self {
+            schema: SCHEMA.to_owned(),
+            program: survey.program,
+            device: Some(survey.device),
+            machine: survey.system,
+            steps: survey.steps,
+            tests: None,
+            devices: None,
+            self_test: survey.sorts,
+            sorts: None,
+            soak: survey.soak,
+            traffic: traffic::traffic(&benches, survey.rates.as_ref()),
+            rates: survey.rates,
+            benches,
+            unread: Vec::new(),
+        }
     }
 }
 

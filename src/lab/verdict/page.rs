@@ -5,7 +5,7 @@ use crate::sorts::{SortRow, SortsReport};
 use effigy_measure::{
     bench::report::{CaseReport, ErrorReport, SweepReport},
     rates::RatesReport,
-    soak::SoakReport,
+    soak::{SoakReport, report::Second},
 };
 
 /// The case whose stages are listed one by one.
@@ -21,6 +21,13 @@ impl Verdict {
         self.step_table(&mut page);
         if let Some(tests) = &self.tests {
             test_section(&mut page, tests);
+        }
+        if !self.self_test.is_empty() {
+            page.heading("The sort's self-test");
+            page.table(&["variant", "outcome"]);
+            for tried in &self.self_test {
+                page.row([tried.variant.name().to_owned(), tried.outcome.to_string()]);
+            }
         }
         if let Some(sorts) = &self.sorts {
             sort_section(&mut page, sorts);
@@ -40,13 +47,10 @@ impl Verdict {
     }
 
     fn heading(&self, page: &mut Page) {
-        let rates = self.rates.as_ref().map(|rates| &rates.device);
-        let sorts = self.sorts.as_ref().map(|sorts| &sorts.device);
-        let benches = self.benches.first().map(|bench| &bench.report.device);
-        let device = rates.or(sorts).or(benches);
-        let name = device.map_or("an unknown device", |device| device.name.as_str());
+        let name = self.device.as_ref().map(|device| device.name.as_str());
+        let name = name.unwrap_or("an unknown device");
         page.line(&format!("# Verdict on {name}"));
-        if let Some(device) = device {
+        if let Some(device) = &self.device {
             page.paragraph(&format!(
                 "{}, Vulkan {}, subgroups of {}{}.",
                 device.driver,
@@ -60,7 +64,10 @@ impl Verdict {
             ));
         }
         let commit = self.program.commit.as_deref().unwrap_or("unknown");
-        page.paragraph(&format!("Commit {commit}, {}.", self.program.date));
+        page.paragraph(&format!(
+            "Version {}, commit {commit}, {}.",
+            self.program.version, self.program.date
+        ));
         let faults = self.faults();
         if faults.is_empty() {
             page.paragraph("Every step passed.");
@@ -225,10 +232,14 @@ fn rate_section(page: &mut Page, rates: &RatesReport) {
 fn frame_section(page: &mut Page, benches: &[NamedBench]) {
     page.heading("Frames");
     if let Some(NamedBench { report, .. }) = benches.first() {
+        let avatar = match report.avatar.name.as_str() {
+            "" => "An avatar without its name",
+            name => name,
+        };
         page.paragraph(&format!(
-            "{}, {} Gaussians, {} × {} px. Medians; errors over covered pixels against the f64 \
+            "{avatar}, {} Gaussians, {} × {} px. Medians; errors over covered pixels against the f64 \
              reference, the worst of the frames compared.",
-            report.avatar.name, report.avatar.gaussians, report.size[0], report.size[1]
+            report.avatar.gaussians, report.size[0], report.size[1]
         ));
     }
     page.table(&[
@@ -344,6 +355,17 @@ fn soak_section(page: &mut Page, soak: &SoakReport) {
         100.0 * soak.dropped_share,
         soak.changes
     ));
+    let most = |get: fn(&Second) -> Option<f64>| soak.each.iter().filter_map(get).reduce(f64::max);
+    let heat = [
+        most(|second| second.headroom),
+        most(|second| second.celsius),
+    ];
+    if heat.iter().any(Option::is_some) {
+        let [headroom, celsius] = heat.map(known);
+        page.paragraph(&format!(
+            "At most {headroom} of the heat at which it throttles, and {celsius} °C."
+        ));
+    }
     if let Some(drift) = &soak.drift {
         let same = if drift.same {
             "the same image to the bit"
