@@ -66,6 +66,11 @@ impl Captures {
         self.screenshot_requested = true;
     }
 
+    /// Whether the next frame is to be saved.
+    pub fn wants_frame(&self) -> bool {
+        self.screenshot_requested
+    }
+
     /// Has RenderDoc capture the next frame. Returns a message for the user.
     pub fn request_renderdoc(&self) -> String {
         match RenderDoc::attached() {

@@ -35,6 +35,35 @@ pub struct PanelMesh {
 }
 
 impl PanelMesh {
+    /// A rectangle around all that it draws, px of an image of that size. None if it draws nothing.
+    fn area(&self, size: [u32; 2]) -> Option<vk::Rect2D> {
+        let mut area = Rect::NOTHING;
+        for part in &self.primitives {
+            if let Primitive::Mesh(mesh) = &part.primitive {
+                let drawn = mesh.calc_bounds().intersect(part.clip_rect);
+                if drawn.is_positive() {
+                    area |= drawn;
+                }
+            }
+        }
+        let pixels = |point: Pos2, round: fn(f32) -> f32| {
+            let [x, y] = [point.x, point.y].map(|side| round(side * self.pixels_per_point));
+            [x.clamp(0.0, size[0] as f32), y.clamp(0.0, size[1] as f32)]
+        };
+        let [min_x, min_y] = pixels(area.min, f32::floor);
+        let [max_x, max_y] = pixels(area.max, f32::ceil);
+        (min_x < max_x && min_y < max_y).then_some(vk::Rect2D {
+            offset: vk::Offset2D {
+                x: min_x as i32,
+                y: min_y as i32,
+            },
+            extent: vk::Extent2D {
+                width: (max_x - min_x) as u32,
+                height: (max_y - min_y) as u32,
+            },
+        })
+    }
+
     /// Moves the mesh to where it belongs in the swapchain's images, which are rotated against a
     /// window of `size` px.
     fn pre_rotate(&mut self, pre_transform: PreTransform, size: [u32; 2]) {
@@ -80,6 +109,8 @@ pub struct WindowPainter {
     validator: Option<FrameValidator>,
     /// The next frame is to be validated.
     validation_requested: bool,
+    /// The next frame is to be copied.
+    copy_requested: bool,
     /// The earliest time to show the next frame, nanoseconds of the system's monotonic clock.
     show_at: Option<u64>,
     gpu: Arc<Gpu>,
@@ -113,12 +144,12 @@ impl WindowPainter {
             surface,
             gpu,
         } = device?;
-        let present = Present::new(&gpu, surface.format())?;
+        let mut present = Present::new(&gpu, surface.format())?;
         let renderer = Renderer::from_prepared(&gpu, &prepared?, full_quality)?;
         let drawing = drawing(&renderer);
         // SAFETY: nothing uses it yet. Every frame leaves the image in this state, and `fit` sets
-        // another after a resize.
-        unsafe { present.set_image(renderer.raster().image()) };
+        // another after a resize; the renderer goes after every frame is done.
+        unsafe { present.connect(renderer.raster()) }?;
         let options = Options {
             in_flight_frames: FRAMES_IN_FLIGHT,
             ..Options::default()
@@ -145,6 +176,7 @@ impl WindowPainter {
             drawing,
             validator: None,
             validation_requested: false,
+            copy_requested: false,
             show_at: None,
             gpu,
             target,
@@ -173,7 +205,12 @@ impl WindowPainter {
         self.validator = None;
         // SAFETY: every frame is done. Every frame leaves the image in this state, and the next
         // resize sets another.
-        unsafe { self.present.set_image(renderer.raster().image()) };
+        unsafe {
+            self.present.connect(renderer.raster())?;
+            if let Some(swapchain) = &mut self.swapchain {
+                swapchain.connect(&self.present, renderer.raster());
+            }
+        }
         self.renderer = renderer;
         self.drawing = drawing(&self.renderer);
         Ok(())
@@ -225,6 +262,11 @@ impl WindowPainter {
     /// result comes some frames later from [`Self::poll_validation`].
     pub fn request_validation(&mut self) {
         self.validation_requested = true;
+    }
+
+    /// Keeps the next frame's image for [`Self::copy`].
+    pub fn request_copy(&mut self) {
+        self.copy_requested = true;
     }
 
     /// Returns the result of a validation that is done. Call it after every frame.
@@ -280,6 +322,10 @@ impl WindowPainter {
             // SAFETY: every frame is done. Every frame leaves the image in this state, and the next
             // resize sets another.
             unsafe { self.present.set_image(self.renderer.raster().image()) };
+        }
+        if let Some(swapchain) = &mut self.swapchain {
+            // SAFETY: every frame is done, and the next resize comes here too.
+            unsafe { swapchain.connect(&self.present, self.renderer.raster()) };
         }
         if let Some(picture) = &self.picture
             && self.present.picture_size() != size
@@ -387,16 +433,29 @@ impl WindowPainter {
             drawn: drawn_size,
             background: content.background,
         };
+        // What is copied behind the frame has to be stored.
+        let is_copied = std::mem::take(&mut self.copy_requested) || validate;
+        let screen = if is_copied {
+            None
+        } else {
+            self.present.one_pass(canvas, content.background)
+        };
+        let panel_area = panel.area([width, height]);
         let mut panel_drawn = Ok(());
-        let mut record = |commands: Recording| {
-            self.present.record(commands, canvas, shown, || {
+        let mut record = |commands: Recording, is_shown: bool| {
+            let draw_panel = || {
                 panel_drawn = self.egui.cmd_draw(
                     commands.raw(),
                     vk::Extent2D { width, height },
                     panel.pixels_per_point,
                     &panel.primitives,
                 );
-            });
+            };
+            if !is_shown {
+                self.present.record(commands, canvas, shown, draw_panel);
+            } else if let Some(area) = panel_area {
+                self.present.record_over(commands, canvas, area, draw_panel);
+            }
             if let Some(validator) = validator.take() {
                 // SAFETY: it follows the frame, whose image lives until all frames are done.
                 unsafe { validator.record(commands, image_drawn, drawn_size) };
@@ -405,6 +464,7 @@ impl WindowPainter {
         // SAFETY: the swapchain, the panel and the validator go only after every frame is done, and
         // the swapchain has just given the semaphores.
         let presentation = unsafe { Presentation::new(Some(image.semaphores), &mut record) };
+        let presentation = presentation.in_one_pass(screen);
         let camera = content.camera.stretched(drawn_size);
         self.renderer.draw(posed, &camera, Some(presentation))?;
         self.window.pre_present_notify();
@@ -422,8 +482,8 @@ impl WindowPainter {
         self.renderer.copy()
     }
 
-    /// Copies the last frame's image, without panel and background. It takes no longer than a
-    /// frame.
+    /// Copies the last frame's image, without panel and background, after [`Self::request_copy`]
+    /// for that frame. It takes no longer than a frame.
     pub fn copy(&mut self) -> Result<Copied> {
         self.renderer.copy()
     }

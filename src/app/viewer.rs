@@ -685,6 +685,9 @@ impl Viewer {
             return Ok(());
         };
         painter.set_textures(panel.textures)?;
+        if self.captures.wants_frame() {
+            painter.request_copy();
+        }
         let painted = Instant::now();
         if !painter.paint(self.scene.posed(), &content, &mut panel.mesh)? {
             self.clock.invalidate();

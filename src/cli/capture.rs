@@ -51,18 +51,24 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (avatar, player) = args.source.load_player()?;
     check_time(&player, args.time);
     let mut renderer = Renderer::new(&gpu, &avatar, args.quality.renderer(args.size))?;
-    let screen = Offscreen::new(&gpu, args.size)?;
-    // SAFETY: nothing uses the screen yet, and every frame leaves the image in that layout.
-    unsafe { screen.set_image(renderer.raster().image()) };
+    let mut screen = Offscreen::new(&gpu, args.size)?;
+    // SAFETY: nothing uses the screen yet, every frame leaves the image in that layout, and each is
+    // waited for.
+    unsafe { screen.connect(renderer.raster()) }?;
     let avatar_bounds = AvatarBounds::new(&avatar);
     let background = options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?;
     let mut draw = |seconds: f64| -> anyhow::Result<()> {
         let posed = Posed::new(&avatar, &player.pose(seconds));
         let framing = avatar_bounds.framing(&posed.joints);
         let camera = args.camera.camera(framing, args.size)?;
-        let mut record = |commands: Recording| screen.record(commands, args.size, background);
+        let mut record = |commands: Recording, is_shown: bool| {
+            if !is_shown {
+                screen.record(commands, args.size, background);
+            }
+        };
         // SAFETY: the frame is waited for below.
         let presentation = unsafe { Presentation::new(None, &mut record) };
+        let presentation = presentation.in_one_pass(screen.one_pass(background));
         renderer.draw(&posed, &camera, Some(presentation))?;
         Ok(renderer.finish()?)
     };

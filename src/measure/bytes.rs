@@ -6,10 +6,13 @@
 //! memory; fragments that blend in cache or in tile memory cost none. Caches can only make the true
 //! number smaller, except for gathers, which fetch a cache line for a part of it.
 //!
+//! Frames count as those of a moving avatar in a window of the image's size: quads that go to the
+//! screen in the render pass that draws them move no image, others have it read again.
+//!
 //! The minimum assumes the model (model.md, the file's precision) but nothing of the layout: every
 //! number that is needed is read once, at the fewest whole bytes that keep the image within 50 dB;
-//! stages hand on f16, keys are 2 bytes and shrink from pass to pass, and only covered pixels are
-//! stored, once. Operations are additions and multiplications of floating-point numbers; a root, a
+//! stages hand on f16, keys are 2 bytes and shrink from pass to pass, and of pixels only the
+//! screen's are stored, once. Operations are additions and multiplications of floating-point numbers; a root, a
 //! division or an exponential counts as one.
 
 use effigy_core::{
@@ -192,6 +195,8 @@ const TILES_A_SPLAT: u64 = 3;
 const PAIRS_A_SPLAT: u64 = 2;
 /// The bin of a pair.
 const PAIR_KEY: u64 = 2;
+/// A pixel of the screen.
+const SCREEN_PIXEL: u64 = 4;
 
 /// Work of one stage in a frame in which it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -316,7 +321,13 @@ pub fn work_per_stage(
     if let Some(counted) = counts.resolve {
         stages.push(resolve(options, counts, counted));
     }
+    stages.push(present(options, counts));
     stages
+}
+
+/// Whether the image goes to the screen in the render pass that draws it.
+fn shows_at_once(options: &RendererOptions, counts: WorkCounts) -> bool {
+    options.shows_at_once() && counts.resolve.is_none()
 }
 
 /// Features of all parts.
@@ -583,17 +594,20 @@ fn saturation(options: &RendererOptions, counts: WorkCounts) -> StageWork {
 fn raster(options: &RendererOptions, counts: WorkCounts) -> StageWork {
     let [width, height] = options.size.map(u64::from);
     let redrawn = counts.rastered.or(counts.damaged).unwrap_or(width * height);
-    let covered = counts.covered.unwrap_or(redrawn).min(redrawn);
     let pixel = options.color().bytes() as u64;
     let splats = (SPLAT_INDEX + SPLAT) * counts.drawn;
     let by_tiles = options.method.is_some_and(RasterMethod::is_tiles);
     // Quads are blended over an image that was cleared. Each tile reads its own splats, and an
     // image is written once.
     let reads_a_splat = if by_tiles { TILES_A_SPLAT } else { 1 };
-    let writes_a_pixel = if by_tiles { 1 } else { 2 };
+    let accesses_a_pixel = match by_tiles {
+        true => 1,
+        false if shows_at_once(options, counts) => 0,
+        false => 2,
+    };
     let bytes = Amount {
-        stored: reads_a_splat * splats.stored + writes_a_pixel * redrawn * pixel,
-        minimum: splats.minimum + covered * pixel,
+        stored: reads_a_splat * splats.stored + accesses_a_pixel * redrawn * pixel,
+        minimum: splats.minimum,
     };
     StageWork {
         operations: counts
@@ -614,6 +628,22 @@ fn resolve(options: &RendererOptions, counts: WorkCounts, counted: ResolveCounts
     };
     let pixel = options.color().bytes() as u64;
     StageWork::moving(Stage::Resolve, pixels * pixel)
+}
+
+/// The screen is written, after the image was read unless quads are shown at once.
+fn present(options: &RendererOptions, counts: WorkCounts) -> StageWork {
+    let [width, height] = options.size.map(u64::from);
+    let pixel = options.color().bytes() as u64;
+    let read = if shows_at_once(options, counts) {
+        0
+    } else {
+        pixel
+    };
+    let a_pixel = Amount {
+        stored: read + SCREEN_PIXEL,
+        minimum: SCREEN_PIXEL,
+    };
+    StageWork::moving(Stage::Present, a_pixel * (width * height))
 }
 
 #[cfg(test)]
@@ -653,7 +683,8 @@ mod tests {
                         assert!(work.bytes_floor <= work.bytes, "{work:?}");
                         assert!(work.operations_floor <= work.operations, "{work:?}");
                         let uncounted =
-                            [Stage::Sort, Stage::Raster, Stage::Resolve].contains(&work.stage);
+                            [Stage::Sort, Stage::Raster, Stage::Resolve, Stage::Present]
+                                .contains(&work.stage);
                         assert!(uncounted || work.operations_floor > Some(0), "{work:?}");
                     }
                 }
@@ -722,6 +753,31 @@ mod tests {
             bytes(enlarged, Stage::Raster),
             10 * bytes(own, Stage::Raster)
         );
+    }
+
+    /// Quads that are shown at once move no image: 8 bytes a pixel written and 8 read of what is
+    /// redrawn, and 8 read of what is shown.
+    #[test]
+    fn only_quads_leave_the_image_in_tile_memory() {
+        let avatar = demo();
+        let bytes = |method, resolve| {
+            let options = RendererOptions {
+                method: Some(method),
+                ..RendererOptions::new([100, 100])
+            };
+            let counts = WorkCounts {
+                damaged: Some(400),
+                resolve,
+                ..WorkCounts::default()
+            };
+            let work = work_per_stage(&avatar, &options, counts);
+            let of = |stage| work.iter().find(|work| work.stage == stage);
+            [Stage::Raster, Stage::Present].map(|stage| of(stage).map_or(0, |work| work.bytes))
+        };
+        assert_eq!(bytes(RasterMethod::Quads, None), [0, 40_000]);
+        let resolve = Some(ResolveCounts::default());
+        assert_eq!(bytes(RasterMethod::Quads, resolve), [6400, 120_000]);
+        assert_eq!(bytes(RasterMethod::SharedTiles, None), [1600, 80_000]);
     }
 
     #[test]

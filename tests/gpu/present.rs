@@ -1,13 +1,19 @@
 //! The `present` stage against the reference, and images that are drawn smaller than the screen.
 
-use crate::common::{self, Sizes, gpu};
+use crate::common::{
+    self, Sizes,
+    gpu::{
+        self,
+        Raster::{self, Quads as PlainQuads, SharedTiles, TestedQuads},
+    },
+};
 use effigy_core::{
     reference,
-    scene::{Detail, FrameImage, Posed},
+    scene::{Camera, Detail, FrameImage, Posed},
 };
 use effigy_measure::error;
 use effigy_render::vulkan::{
-    FrameValidator, Offscreen, Presentation, Recording, Renderer, RendererOptions,
+    Error, FrameValidator, Offscreen, Presentation, Recording, Renderer, RendererOptions,
     raster::RasterMethod::{self, CooperativeTiles, Quads},
 };
 use effigy_runtime::governor::Ladder;
@@ -35,7 +41,8 @@ fn a_stretched_image_agrees_with_the_reference() {
             let camera = gpu::camera(&avatar, &posed, size);
             for drawn in [size, [75, 95], [149, 61], [1, 1]] {
                 renderer.adjust(drawn, Detail::FULL).unwrap();
-                let mut record = |commands: Recording| screen.record(commands, drawn, BACKGROUND);
+                let mut record =
+                    |commands: Recording, _| screen.record(commands, drawn, BACKGROUND);
                 // SAFETY: the frame is waited for below, when its image is read.
                 let presentation = unsafe { Presentation::new(None, &mut record) };
                 renderer
@@ -67,6 +74,110 @@ fn a_stretched_image_agrees_with_the_reference() {
                 );
             }
         }
+    }
+}
+
+/// A renderer and what shows its frames.
+struct Shown {
+    renderer: Renderer,
+    screen: Offscreen,
+}
+
+impl Shown {
+    /// Draws a frame of `drawn` px. Returns whether it was shown in the render pass that drew it,
+    /// and the screen.
+    fn frame(
+        &mut self,
+        posed: &Posed,
+        camera: &Camera,
+        drawn: [u32; 2],
+        background: [f32; 3],
+    ) -> (bool, Vec<u8>) {
+        self.renderer.adjust(drawn, Detail::FULL).unwrap();
+        let screen = &self.screen;
+        let mut at_once = false;
+        let mut record = |commands: Recording, is_shown: bool| {
+            at_once = is_shown;
+            if !is_shown {
+                screen.record(commands, drawn, background);
+            }
+        };
+        // SAFETY: the frame is waited for below.
+        let presentation = unsafe { Presentation::new(None, &mut record) };
+        let presentation = presentation.in_one_pass(screen.one_pass(background));
+        self.renderer
+            .draw(posed, &camera.stretched(drawn), Some(presentation))
+            .unwrap();
+        self.renderer.finish().unwrap();
+        (at_once, self.screen.download().unwrap())
+    }
+}
+
+/// Quads that go to the screen in the render pass that draws them show what the two passes show, in
+/// every order of moving, standing and smaller frames; the latter keep their images.
+fn one_pass_shows_what_two_do(raster: Raster) {
+    let device = gpu::drawing();
+    let avatar = common::avatar(11, Sizes::default());
+    let posed = Posed::new(&avatar, &common::pose(12, &avatar));
+    for size in [[120, 98], [67, 33]] {
+        let options = raster.options(&device.probe.name, size);
+        let [mut one, mut two] = [true, false].map(|connects| {
+            let renderer = Renderer::new(&device, &avatar, options).unwrap();
+            let mut screen = Offscreen::new(&device, size).unwrap();
+            // SAFETY: nothing uses the screen yet, and every frame is waited for.
+            unsafe {
+                if connects {
+                    screen.connect(renderer.raster()).unwrap();
+                } else {
+                    screen.set_image(renderer.raster().image());
+                }
+            }
+            Shown { renderer, screen }
+        });
+        let camera = gpu::camera(&avatar, &posed, size);
+        let smaller = size.map(|side: u32| side.div_ceil(2));
+        let is_smaller = smaller != size;
+        let can = raster != SharedTiles;
+        // Where the camera stands, what is drawn, and whether that goes to the screen at once.
+        let frames = [
+            (0.0, size, false),
+            (0.3, size, can),
+            (-0.3, size, can),
+            (-0.3, size, false),
+            (-0.3, size, false),
+            (0.2, size, false),
+            (0.0, size, can),
+            (0.1, smaller, can && !is_smaller),
+            (0.2, smaller, can && !is_smaller),
+            (0.3, size, can),
+            (1e6, size, can),
+            (0.0, size, can),
+        ];
+        for (number, (aside, drawn, at_once)) in frames.into_iter().enumerate() {
+            let mut moved = camera;
+            moved.view.translation.x += aside;
+            let background = BACKGROUND.map(|channel| channel / (1 + number % 3) as f32);
+            let what = format!("{raster:?} {size:?}, frame {number}");
+            let [got, expected] =
+                [&mut one, &mut two].map(|shown| shown.frame(&posed, &moved, drawn, background));
+            assert_eq!((got.0, expected.0), (at_once, false), "{what}");
+            assert!(got.1 == expected.1, "{what} is not what two passes show");
+            let copied = one.renderer.read_image();
+            if at_once {
+                assert!(matches!(copied, Err(Error::NothingDrawn)), "{what}");
+            } else {
+                assert!(
+                    copied.unwrap() == two.renderer.read_image().unwrap(),
+                    "{what}"
+                );
+            }
+        }
+        // Without a screen the image is there again.
+        for shown in [&mut one, &mut two] {
+            shown.renderer.draw(&posed, &camera, None).unwrap();
+        }
+        let [again, kept] = [&mut one, &mut two].map(|own| own.renderer.read_image().unwrap());
+        assert!(again == kept, "{raster:?} {size:?}");
     }
 }
 
@@ -141,7 +252,7 @@ fn validated_pixels_are_those_that_the_frame_drew(method: RasterMethod) {
     for frame in 0..40 {
         let image = renderer.raster().image().raw();
         let validates = frame == 0;
-        let mut record = |commands: Recording| {
+        let mut record = |commands: Recording, _| {
             if validates {
                 // SAFETY: it follows the frame, whose image lives as long as the renderer.
                 unsafe { validator.record(commands, image, size) };
@@ -162,6 +273,9 @@ fn validated_pixels_are_those_that_the_frame_drew(method: RasterMethod) {
 
 tests! {
     a_stretched_image_agrees_with_the_reference: smoke,
+    one_pass_shows_what_two_do[PlainQuads],
+    one_pass_shows_what_two_do[TestedQuads],
+    one_pass_shows_what_two_do[SharedTiles],
     every_rung_is_drawn_as_if_it_was_made_for_it[Quads],
     every_rung_is_drawn_as_if_it_was_made_for_it[CooperativeTiles],
     validated_pixels_are_those_that_the_frame_drew[Quads],

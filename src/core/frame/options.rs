@@ -55,6 +55,14 @@ impl RendererOptions {
         }
     }
 
+    /// Whether images that change from frame to frame may go to the screen in the render pass that
+    /// draws them, of resolved options. So it is with quads, which suit GPUs that blend in tile
+    /// memory: the image never leaves that. Not where fragments are counted, which would be those of
+    /// both.
+    pub fn shows_at_once(&self) -> bool {
+        self.method == Some(RasterMethod::Quads) && !self.count
+    }
+
     /// These options for an image that is exact: nothing is skipped or added that changes it by
     /// more than rounding. Quads draw what lies behind the saturation depth, small avatars are
     /// drawn as the model says and not as the area of each pixel shows them, and all of a crowd is

@@ -136,10 +136,13 @@ impl Equipment {
 }
 
 /// The state that the device holds from earlier frames.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DeviceState {
     /// Number of keys in the control, which the sort takes; None if it is not known.
     pub key_count: Option<u32>,
+    /// The pass that drew the last image, if that is gone since it went to the screen at once. What
+    /// the pass reads is still there.
+    pub lost_image: Option<Pass>,
 }
 
 /// The steps of a frame, from its first pass to its last.
@@ -193,6 +196,11 @@ impl FrameSchedule {
             if plan.atlas.is_some() {
                 steps.stage(Stage::Resolve, vec![Pass::Resolve { clear: !in_image }]);
             }
+        } else {
+            let again: Vec<Pass> = device_state.lost_image.into_iter().collect();
+            if !again.is_empty() {
+                steps.stage(Stage::Raster, again);
+            }
         }
         for stage in equipment.stages() {
             if steps.has(stage) {
@@ -225,6 +233,13 @@ impl FrameSchedule {
     /// The passes, in order.
     pub fn passes(&self) -> impl Iterator<Item = &Pass> {
         self.commands().filter_map(FrameCommand::pass)
+    }
+
+    /// The pass that draws the image, if quads do: [`DeviceState::lost_image`] of the next frame if
+    /// the image is not kept.
+    pub fn quads(&self) -> Option<Pass> {
+        let draws = |pass: &&Pass| matches!(pass, Pass::RasterQuads { target, .. } if *target == RenderTarget::Image);
+        self.passes().find(draws).copied()
     }
 
     /// The stages that run, in order.
@@ -624,6 +639,24 @@ mod tests {
         let skipped: Vec<_> = second.skipped().collect();
         let stages = [Stage::Mlp, Stage::Project, Stage::Sort, Stage::Raster];
         assert_eq!(skipped, stages.map(|stage| (stage, SkipReason::Unchanged)));
+    }
+
+    /// An image that only its screen has is drawn again from what the frame before left.
+    #[test]
+    fn a_lost_image_is_drawn_again_as_it_was() {
+        for raster in &every_raster()[..2] {
+            let mut planner = Planner::new(RendererOptions::new(SIZE));
+            let poses = [planner.posed(0.1, 0.0)];
+            let first = planner.frame(&poses, 0.0, raster);
+            planner.device_state.lost_image = first.quads();
+            let second = planner.frame(&poses, 0.0, raster);
+            assert_eq!(names(&second), ["raster"]);
+            assert_eq!(second.quads(), first.quads());
+            assert!(!second.skipped().any(|(stage, _)| stage == Stage::Raster));
+            let moved = planner.frame(&poses, 0.3, raster);
+            assert_eq!(moved.runs(Stage::Raster), 1);
+            assert_ordered(&moved);
+        }
     }
 
     /// A stage that a renderer has runs or is skipped, whatever it draws.

@@ -125,7 +125,7 @@ impl<'a> SoakRenderer<'a> {
         let screen = &self.screen;
         let validator = &mut self.validator;
         let check = check && validator.is_idle();
-        let mut record = |commands: Recording| {
+        let mut record = |commands: Recording, _| {
             screen.record(commands, drawn, BACKGROUND);
             if check {
                 // SAFETY: this follows the frame, whose image lives as long as the renderer.

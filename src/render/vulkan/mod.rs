@@ -42,7 +42,7 @@ pub use device::{
 };
 pub use effigy_core::frame::{FrameReport, RendererOptions};
 pub use pipeline::shaders;
-pub use raster::download::Copied;
+pub use raster::{download::Copied, quad_pass::OnePassTarget};
 pub use renderer::{PreparedAvatar, Presentation, Renderer, Stages};
 pub use window::{
     pre_transform::PreTransform,

@@ -38,9 +38,6 @@ pub fn all(options: &GpuOptions, avatar: &Avatar) -> Result<(Arc<Gpu>, Vec<Execu
     };
     renderers(&gpu, avatar)?;
     sorts(&gpu)?;
-    // As for a window, of which a device that was opened to be asked has none.
-    let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
-    Present::with_final_layout(&gpu, vk::Format::B8G8R8A8_UNORM, layout)?;
     let found = statistics.take();
     Ok((gpu, found))
 }
@@ -64,7 +61,13 @@ fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
             method: Some(RasterMethod::Quads),
             ..options
         };
-        resolve(&Renderer::new(gpu, avatar, quads)?)?;
+        let renderer = Renderer::new(gpu, avatar, quads)?;
+        resolve(&renderer)?;
+        // As for a window, of which a device that was opened to be asked has none.
+        let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+        let mut present = Present::with_final_layout(gpu, vk::Format::B8G8R8A8_UNORM, layout)?;
+        // SAFETY: nothing is recorded with it.
+        unsafe { present.connect(renderer.raster()) }?;
     }
     // Not every device can run every kernel.
     let able = |method: &RasterMethod| gpu.probe.lacks_for(*method).is_none();

@@ -379,6 +379,7 @@ impl Renderer {
         let damage = Damage::new(plan.drawn_rect, damaged, self.options.size);
         let device_state = DeviceState {
             key_count: self.key_count,
+            lost_image: None,
         };
         let schedule = FrameSchedule::new(&plan, &self.equipment(), device_state);
         self.write_frame(&schedule, &plan, camera, &damage);

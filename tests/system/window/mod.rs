@@ -7,7 +7,7 @@ mod drag_source;
 mod session;
 
 use crate::{common::gpu, train};
-use image::imageops::FilterType::CatmullRom;
+use image::{RgbImage, imageops::FilterType::CatmullRom};
 use session::{Session, covered};
 use std::path::Path;
 
@@ -216,6 +216,63 @@ fn a_picture_is_behind_the_avatar() {
     session.key('b');
     session.wait_for_rest();
     assert!(session.read_image() != window, "the picture stays");
+    session.quit();
+}
+
+/// Moving quads go to the window in the render pass that draws them: over the picture, under the
+/// panel, after a resize, and into a screenshot.
+fn moving_quads_are_between_the_picture_and_the_panel() {
+    gpu::drawing();
+    let picture = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/images/training.png");
+    let picture = picture.to_str().unwrap();
+    let decoded = image::open(picture).unwrap();
+    let arguments = [
+        "--size",
+        "320x240",
+        "--raster",
+        "quads",
+        "--background",
+        picture,
+    ];
+    let mut session = Session::start(&arguments);
+    // Of an image in which the avatar moves, whether each of some pixels is the picture's.
+    let is_picture = |image: &RgbImage, at: &[[u32; 2]]| -> Vec<bool> {
+        let (width, height) = image.dimensions();
+        let fitted = decoded.resize_to_fill(width, height, CatmullRom).to_rgb8();
+        let same = |[x, y]: &[u32; 2]| {
+            let [a, b] = [image, &fitted].map(|image| image.get_pixel(*x, *y).0);
+            a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= 1)
+        };
+        at.iter().map(same).collect()
+    };
+    for [width, height] in [[320, 240], [201, 303]] {
+        session.resize([width, height]);
+        session.wait_for_size([width, height]);
+        let edges = [[width - 1, 0], [width - 1, height - 1], [20, 20]];
+        for has_panel in [true, false] {
+            session.wait_for_frames(4);
+            let image = session.read_image();
+            assert_eq!(
+                is_picture(&image, &edges),
+                [true, true, !has_panel],
+                "{width} × {height}"
+            );
+            session.key('h');
+        }
+    }
+    session.wait_for_frames(4);
+    session.key('s');
+    let saved = image::open(session.wait_for_line("saved "))
+        .unwrap()
+        .to_rgb8();
+    let [width, height] = [saved.width(), saved.height()];
+    let at = [
+        [width - 1, 0],
+        [width - 1, height - 1],
+        [20, 20],
+        [width / 2, height / 2],
+    ];
+    assert_eq!(is_picture(&saved, &at), [true, true, true, false]);
     session.quit();
 }
 
@@ -513,6 +570,7 @@ tests! {
     keys_zoom_and_choose_views,
     a_screenshot_is_the_window_without_the_panel,
     a_picture_is_behind_the_avatar,
+    moving_quads_are_between_the_picture_and_the_panel,
     a_lost_surface_and_a_lost_device_are_made_anew,
     a_device_that_is_lost_twice_ends_the_program_with_a_clear_error,
     an_avatar_that_does_not_fit_leaves_the_one_that_is_shown,

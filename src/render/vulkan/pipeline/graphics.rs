@@ -1,6 +1,6 @@
 //! Render passes and graphics pipelines of the stages that draw: a render pass with a colour
 //! attachment and, where depths are tested, one of depth, and a pipeline that draws triangles to
-//! it.
+//! it. A second subpass may show what the first has drawn.
 
 use super::{
     module::{flags, list, shader_module, specialization_entries, take_over},
@@ -77,34 +77,42 @@ fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentD
         .final_layout(attachment.final_layout.unwrap_or(used))
 }
 
-/// Colour comes first among the attachments.
+/// Attachments are colour, then depth, then the screen: a second subpass writes it, and reads the
+/// colour that the first has written to the same pixel.
 pub(crate) fn render_pass(
     gpu: &Gpu,
     name: &str,
     color: Attachment,
     depth: Option<Attachment>,
+    screen: Option<Attachment>,
     dependencies: &[vk::SubpassDependency],
 ) -> Result<RenderPass> {
     const COLOR: vk::ImageLayout = vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL;
     const DEPTH: vk::ImageLayout = vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
-    let attachments: Vec<_> = std::iter::once(description(color, COLOR))
+    const INPUT: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+    let color_last = if screen.is_some() { INPUT } else { COLOR };
+    let attachments: Vec<_> = std::iter::once(description(color, color_last))
         .chain(depth.map(|depth| description(depth, DEPTH)))
+        .chain(screen.map(|screen| description(screen, COLOR)))
         .collect();
-    let colors = [vk::AttachmentReference {
-        attachment: 0,
-        layout: COLOR,
-    }];
-    let depths = vk::AttachmentReference {
-        attachment: 1,
-        layout: DEPTH,
-    };
+    let reference = |attachment, layout| vk::AttachmentReference { attachment, layout };
+    let colors = [reference(0, COLOR)];
+    let depths = reference(1, DEPTH);
+    let inputs = [reference(0, INPUT)];
+    let screens = [reference(attachments.len() as u32 - 1, COLOR)];
     let mut subpass = vk::SubpassDescription::default()
         .pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS)
         .color_attachments(&colors);
     if depth.is_some() {
         subpass = subpass.depth_stencil_attachment(&depths);
     }
-    let subpasses = [subpass];
+    let shows = vk::SubpassDescription::default()
+        .pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS)
+        .input_attachments(&inputs)
+        .color_attachments(&screens);
+    let subpasses: Vec<_> = std::iter::once(subpass)
+        .chain(screen.map(|_| shows))
+        .collect();
     let info = vk::RenderPassCreateInfo::default()
         .attachments(&attachments)
         .subpasses(&subpasses)
@@ -138,6 +146,7 @@ pub(crate) struct PipelineDescription<'a> {
     pub constants: &'a [u32],
     pub layout: vk::PipelineLayout,
     pub render_pass: vk::RenderPass,
+    pub subpass: u32,
     pub blend: vk::PipelineColorBlendAttachmentState,
     pub depth: DepthUse,
 }
@@ -201,7 +210,8 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: PipelineDescription) -> Result<P
         .color_blend_state(&blend)
         .dynamic_state(&dynamic)
         .layout(drawing.layout)
-        .render_pass(drawing.render_pass);
+        .render_pass(drawing.render_pass)
+        .subpass(drawing.subpass);
     let modules = [drawing.vertex, drawing.fragment];
     let constants = list(drawing.constants);
     let files: Vec<_> = modules.iter().map(|module| module.file).collect();

@@ -96,6 +96,7 @@ modules! {
     RATES_FILL_FRAGMENT = "rates/fill.frag";
     PRESENT_VERTEX = "present/present.vert";
     PRESENT_FRAGMENT = "present/present.frag";
+    PRESENT_IN_PASS = "present/in_pass.frag";
 }
 
 /// A hash of the sort's modules: what was found of them holds only for those that ran.

@@ -11,6 +11,7 @@ pub mod choice;
 pub(crate) mod download;
 pub(crate) mod draw;
 mod options;
+pub(crate) mod quad_pass;
 mod quads;
 pub(crate) mod resolve;
 mod runs;

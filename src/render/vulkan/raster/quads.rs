@@ -3,21 +3,16 @@
 
 use super::{
     draw::{Draw, RasterInputs, rect},
+    quad_pass::{OnePassTarget, QuadParts, QuadPass, exponents},
     saturation::Saturation,
-    target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, forget, vulkan_format},
+    target::{check_size, forget, vulkan_format},
 };
 use crate::vulkan::{
-    device::{
-        error::Result,
-        gpu::Gpu,
-        handle::{Framebuffer, Pipeline, RenderPass},
-        recording::Recording,
-    },
-    memory::{Buffer, DEPTH_FORMAT, Image, Replacement, Scope},
+    device::{error::Result, gpu::Gpu, handle::Framebuffer, recording::Recording},
+    memory::{Buffer, DEPTH_FORMAT, Image, Replacement},
     pipeline::{
         bindings::Bindings,
-        graphics::{self, Attachment, DepthUse, PipelineDescription},
-        shaders,
+        graphics::{self, Attachment},
     },
 };
 use ash::vk;
@@ -34,28 +29,30 @@ struct QuadTarget {
     framebuffer: Framebuffer,
     image: Image,
     /// Saturation depths, where fragments are tested; used within the render pass only.
-    _depth: Option<Image>,
+    depth: Option<Image>,
 }
 
-/// What draws the quads that are tested against the saturation depth.
-struct DepthTest {
-    saturation: Saturation,
-    pipeline: Pipeline,
+impl QuadTarget {
+    /// The views of its attachments.
+    fn views(&self) -> Vec<vk::ImageView> {
+        let images = std::iter::once(&self.image).chain(&self.depth);
+        images.map(Image::view).collect()
+    }
 }
 
 pub struct Quads {
     gpu: Arc<Gpu>,
     format: ColorFormat,
-    /// Draws every fragment.
-    pipeline: Pipeline,
-    /// None where no frame tests depth.
-    test: Option<Box<DepthTest>>,
+    /// Finds what quads are tested against; None where no frame tests depth.
+    saturation: Option<Box<Saturation>>,
+    exponents: [f32; 2],
     bindings: Bindings,
     indices: Buffer,
     target: QuadTarget,
     /// Where avatars are drawn larger than they are shown; None until a frame has one.
     atlas: Option<QuadTarget>,
-    render_pass: RenderPass,
+    /// Stores the image.
+    pass: QuadPass,
     /// The part of the target that is drawn, from its upper left corner, px.
     drawn: [u32; 2],
 }
@@ -66,6 +63,7 @@ impl Quads {
         inputs: &RasterInputs,
         options: &RendererOptions,
     ) -> Result<Self> {
+        check_target(gpu, options.size)?;
         let format = options.color();
         let depth = options.skip.contains(Skip::DEPTH);
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
@@ -76,10 +74,8 @@ impl Quads {
             bytemuck::cast_slice(&indices),
             vk::BufferUsageFlags::INDEX_BUFFER,
         )?;
-        let render_pass = render_pass(gpu, format, depth)?;
-        let target = target(gpu, &render_pass, format, depth, options.size)?;
         let saturation = if depth {
-            Some(Saturation::new(gpu, inputs, &render_pass, options)?)
+            Some(Box::new(Saturation::new(gpu, inputs, options)?))
         } else {
             None
         };
@@ -94,26 +90,55 @@ impl Quads {
         let bindings = memory.bound(&kernels::QUADS_TESTED, |resources| {
             Bindings::new(gpu, "raster", vk::ShaderStageFlags::VERTEX, resources)
         })?;
-        let layout = bindings.layout();
-        let test = match saturation {
-            Some(saturation) => Some(Box::new(DepthTest {
-                pipeline: pipeline(gpu, &render_pass, layout, Some(&saturation), options)?,
-                saturation,
-            })),
-            None => None,
+        let parts = QuadParts {
+            bindings: &bindings,
+            saturation: saturation.as_deref(),
+            format,
+            exponents: exponents(options),
         };
+        let pass = QuadPass::new(gpu, &parts, None)?;
         Ok(Self {
             gpu: gpu.clone(),
             format,
-            pipeline: pipeline(gpu, &render_pass, layout, None, options)?,
-            test,
+            target: target(gpu, &pass, &parts, options.size)?,
+            exponents: parts.exponents,
             bindings,
+            saturation,
             indices,
-            target,
             atlas: None,
-            render_pass,
+            pass,
             drawn: options.size,
         })
+    }
+
+    fn parts(&self) -> QuadParts<'_> {
+        QuadParts {
+            bindings: &self.bindings,
+            saturation: self.saturation(),
+            format: self.format,
+            exponents: self.exponents,
+        }
+    }
+
+    /// A render pass that draws quads and has a second subpass for `screen`.
+    pub fn one_pass(&self, screen: Attachment) -> Result<QuadPass> {
+        QuadPass::new(&self.gpu, &self.parts(), Some(screen))
+    }
+
+    /// Around the image and a screen's of the same size, for such a render pass. All three must
+    /// outlive its use.
+    pub fn framebuffer(&self, pass: &QuadPass, screen: vk::ImageView) -> Result<Framebuffer> {
+        let mut views = self.target.views();
+        views.push(screen);
+        let size = self.target.image.size;
+        let render_pass = pass.render_pass();
+        Framebuffer::around(
+            &self.gpu.device,
+            render_pass,
+            &views,
+            size,
+            "raster and screen",
+        )
     }
 
     /// Changes the image's size. On failure it stays.
@@ -121,11 +146,10 @@ impl Quads {
     /// # Safety
     /// No submitted work may use the image.
     pub unsafe fn resize(&mut self, size: [u32; 2]) -> Result<()> {
-        let depth = self.test.is_some();
-        let target = target(&self.gpu, &self.render_pass, self.format, depth, size)?;
-        if let Some(test) = &mut self.test {
+        let target = target(&self.gpu, &self.pass, &self.parts(), size)?;
+        if let Some(saturation) = &mut self.saturation {
             // SAFETY: the caller promises that no work uses it.
-            unsafe { test.saturation.resize(size) }?;
+            unsafe { saturation.resize(size) }?;
         }
         self.target = target;
         self.drawn = size;
@@ -137,9 +161,7 @@ impl Quads {
     /// # Safety
     /// No submitted work may use the one before.
     pub unsafe fn make_atlas(&mut self, size: [u32; 2]) -> Result<()> {
-        let depth = self.test.is_some();
-        let atlas = target(&self.gpu, &self.render_pass, self.format, depth, size)?;
-        self.atlas = Some(atlas);
+        self.atlas = Some(target(&self.gpu, &self.pass, &self.parts(), size)?);
         Ok(())
     }
 
@@ -160,8 +182,8 @@ impl Quads {
         // SAFETY: the caller promises what the functions ask for.
         unsafe {
             self.bindings.replace(replacement);
-            if let Some(test) = &mut self.test {
-                test.saturation.replace(replacement);
+            if let Some(saturation) = &mut self.saturation {
+                saturation.replace(replacement);
             }
         }
     }
@@ -180,26 +202,37 @@ impl Quads {
 
     /// The stage that finds the saturation depths, if there is one.
     pub fn saturation(&self) -> Option<&Saturation> {
-        self.test.as_ref().map(|test| &test.saturation)
+        self.saturation.as_deref()
     }
 
     /// Clears the damage rectangle, and draws the control's splats in what is drawn of it;
-    /// graphics. `tested`: whether [`Self::saturation`] found this frame's depths.
-    pub fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
+    /// graphics. `tested`: whether [`Self::saturation`] found this frame's depths. With a `screen`
+    /// the damage must be whole; the image goes there and is lost.
+    pub fn record(
+        &self,
+        commands: Recording,
+        draw: &Draw,
+        tested: bool,
+        screen: Option<&OnePassTarget>,
+    ) {
         let target = match (draw.target, &self.atlas) {
             (RenderTarget::Atlas, Some(atlas)) => atlas,
             _ => &self.target,
         };
         let [width, height] = draw.size;
         let area = draw.area();
-        if draw.damage.whole {
+        let (pass, framebuffer) = match screen {
+            Some(screen) => (screen.pass, screen.framebuffer),
+            None => (&self.pass, &target.framebuffer),
+        };
+        if draw.damage.whole && screen.is_none() {
             forget(commands, &target.image);
         }
         let viewport = graphics::viewport(0.0, 0.0, width as f32, height as f32);
         let clear = [vk::ClearValue::default(), graphics::FURTHEST];
         let begin = vk::RenderPassBeginInfo::default()
-            .render_pass(self.render_pass.raw())
-            .framebuffer(target.framebuffer.raw())
+            .render_pass(pass.render_pass().raw())
+            .framebuffer(framebuffer.raw())
             .render_area(area)
             .clear_values(&clear);
         let device = &self.gpu.raw;
@@ -211,39 +244,50 @@ impl Quads {
             device.cmd_begin_render_pass(raw, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(raw, 0, &[viewport]);
             device.cmd_set_scissor(raw, 0, &[rect(draw.damage.drawn)]);
-            let test = self.test.as_ref().filter(|_| tested);
-            if let Some(test) = test {
-                test.saturation.draw(commands);
+            let mut pipeline = &pass.plain;
+            if let (true, Some(saturation), Some(own)) = (tested, self.saturation(), &pass.tested) {
+                saturation.draw(commands, &own.depth);
+                pipeline = &own.quads;
             }
-            let pipeline = test.map_or(&self.pipeline, |test| &test.pipeline);
             self.bindings.bind(commands, point, draw.frame);
             device.cmd_bind_pipeline(raw, point, pipeline.raw());
             device.cmd_bind_index_buffer(raw, self.indices.raw(), 0, vk::IndexType::UINT16);
             device.cmd_draw_indexed_indirect(raw, draw.control, 0, 1, 0);
+            if let Some(screen) = screen {
+                device.cmd_next_subpass(raw, vk::SubpassContents::INLINE);
+                device.cmd_set_scissor(raw, 0, &[area]);
+                (screen.show)(commands);
+            }
             device.cmd_end_render_pass(raw);
         }
     }
 }
 
-fn target(
-    gpu: &Arc<Gpu>,
-    render_pass: &RenderPass,
-    format: ColorFormat,
-    depth: bool,
-    size: [u32; 2],
-) -> Result<QuadTarget> {
+/// Fails where a device can't draw to an image of this size, px.
+fn check_target(gpu: &Gpu, size: [u32; 2]) -> Result<()> {
     let limits = &gpu.probe.limits;
     let limit = limits
         .max_image_dimension2_d
         .min(limits.max_framebuffer_width)
         .min(limits.max_framebuffer_height);
-    check_size(gpu, size, limit)?;
+    check_size(gpu, size, limit)
+}
+
+/// The image can also be read by a second subpass.
+fn target(
+    gpu: &Arc<Gpu>,
+    pass: &QuadPass,
+    parts: &QuadParts,
+    size: [u32; 2],
+) -> Result<QuadTarget> {
+    check_target(gpu, size)?;
     let usage = vk::ImageUsageFlags::COLOR_ATTACHMENT
+        | vk::ImageUsageFlags::INPUT_ATTACHMENT
         | vk::ImageUsageFlags::SAMPLED
         | vk::ImageUsageFlags::TRANSFER_SRC;
-    let image = Image::new(gpu, "target", size, vulkan_format(format), usage)?;
+    let image = Image::new(gpu, "target", size, vulkan_format(parts.format), usage)?;
     let mut views = vec![image.view()];
-    let depth = if depth {
+    let depth = if parts.saturation.is_some() {
         let usage = vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT
             | vk::ImageUsageFlags::TRANSIENT_ATTACHMENT;
         let depth = Image::new(gpu, "target depth", size, DEPTH_FORMAT, usage)?;
@@ -252,92 +296,10 @@ fn target(
     } else {
         None
     };
+    let render_pass = pass.render_pass();
     Ok(QuadTarget {
         framebuffer: Framebuffer::around(&gpu.device, render_pass, &views, size, "raster")?,
         image,
-        _depth: depth,
+        depth,
     })
-}
-
-/// Clears the image, draws, and stores it in the layout [`FINAL_LAYOUT`].
-fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<RenderPass> {
-    let writer = Scope::new(
-        vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT,
-        vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE,
-    );
-    let tests =
-        vk::PipelineStageFlags::EARLY_FRAGMENT_TESTS | vk::PipelineStageFlags::LATE_FRAGMENT_TESTS;
-    let depth = vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_READ
-        | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE;
-    let dependencies = [
-        // The frame before may still be read.
-        vk::SubpassDependency::default()
-            .src_subpass(vk::SUBPASS_EXTERNAL)
-            .dst_subpass(0)
-            .src_stage_mask(READER_STAGES | writer.stages | tests)
-            .src_access_mask(
-                vk::AccessFlags::COLOR_ATTACHMENT_WRITE
-                    | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE,
-            )
-            .dst_stage_mask(writer.stages | tests)
-            .dst_access_mask(writer.access | depth),
-        vk::SubpassDependency::default()
-            .src_subpass(0)
-            .dst_subpass(vk::SUBPASS_EXTERNAL)
-            .src_stage_mask(writer.stages)
-            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
-            .dst_stage_mask(READER_SCOPE.stages)
-            .dst_access_mask(READER_SCOPE.access),
-    ];
-    let color = Attachment {
-        format: vulkan_format(format),
-        load: vk::AttachmentLoadOp::CLEAR,
-        initial_layout: FINAL_LAYOUT,
-        final_layout: Some(FINAL_LAYOUT),
-    };
-    graphics::render_pass(
-        gpu,
-        "raster",
-        color,
-        depth_tested.then(graphics::depth),
-        &dependencies,
-    )
-}
-
-fn pipeline(
-    gpu: &Arc<Gpu>,
-    render_pass: &RenderPass,
-    layout: vk::PipelineLayout,
-    saturation: Option<&Saturation>,
-    options: &RendererOptions,
-) -> Result<Pipeline> {
-    let cutoff_exponent = options.cutoff.log2() as f32;
-    let quad_exponent = if options.skip.contains(Skip::FAINT) {
-        cutoff_exponent
-    } else {
-        0.0
-    };
-    let own = [
-        cutoff_exponent.to_bits(),
-        quad_exponent.to_bits(),
-        saturation.is_some().into(),
-    ];
-    let constants = match saturation {
-        Some(saturation) => saturation.bins().constants(own).to_vec(),
-        None => own.to_vec(),
-    };
-    let drawing = PipelineDescription {
-        name: "raster",
-        vertex: &shaders::QUADS_VERTEX,
-        fragment: &shaders::QUADS_FRAGMENT,
-        constants: &constants,
-        layout,
-        render_pass: render_pass.raw(),
-        blend: graphics::over(),
-        depth: match saturation {
-            Some(_) => DepthUse::Test,
-            None => DepthUse::Without,
-        },
-    };
-    graphics::pipeline(gpu, drawing)
 }

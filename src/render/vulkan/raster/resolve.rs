@@ -199,7 +199,7 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, load: vk::AttachmentLoadOp) -> Re
         initial_layout: FINAL_LAYOUT,
         final_layout: Some(FINAL_LAYOUT),
     };
-    graphics::render_pass(gpu, "resolve", color, None, &dependencies)
+    graphics::render_pass(gpu, "resolve", color, None, None, &dependencies)
 }
 
 fn pipeline(
@@ -215,6 +215,7 @@ fn pipeline(
         constants: &[],
         layout,
         render_pass: render_pass.raw(),
+        subpass: 0,
         blend,
         depth: DepthUse::Without,
     };

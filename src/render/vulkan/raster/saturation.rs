@@ -43,11 +43,9 @@ pub struct Saturation {
 }
 
 impl Saturation {
-    /// `render_pass`: that of the quads, which tests depth.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         inputs: &RasterInputs,
-        render_pass: &RenderPass,
         options: &RendererOptions,
     ) -> Result<Self> {
         let bins = Bins::new(gpu, inputs)?;
@@ -59,7 +57,7 @@ impl Saturation {
             &bins.add_to(&inputs.memory),
             LAUNCH,
         )?;
-        let depth = SaturationDepth::new(gpu, render_pass)?;
+        let depth = SaturationDepth::new(gpu)?;
         let image = create_image(gpu, options.size)?;
         let new = Self {
             gpu: gpu.clone(),
@@ -143,12 +141,29 @@ impl Saturation {
         Ok(bytemuck::pod_collect_to_vec(&bytes))
     }
 
+    /// What [`Self::draw`] draws with in the first subpass of a render pass that tests depth.
+    pub fn depth_pipeline(&self, render_pass: &RenderPass) -> Result<Pipeline> {
+        let replace = vk::PipelineColorBlendAttachmentState::default();
+        let drawing = PipelineDescription {
+            name: "saturation depth",
+            vertex: &shaders::PRESENT_VERTEX,
+            fragment: &shaders::SATURATION_DEPTH,
+            constants: &[],
+            layout: self.depth.bindings.layout(),
+            render_pass: render_pass.raw(),
+            subpass: 0,
+            blend: replace,
+            depth: DepthUse::Write,
+        };
+        graphics::pipeline(&self.gpu, drawing)
+    }
+
     /// Writes the depths to the depth attachment, and the colours to the image.
     ///
     /// # Safety
-    /// The commands must be inside the render pass, with viewport and scissor set, and after
-    /// [`Self::record`] made visible to fragment shaders.
-    pub unsafe fn draw(&self, commands: Recording) {
+    /// The commands must be inside the pipeline's render pass, with viewport and scissor set, and
+    /// after [`Self::record`] made visible to fragment shaders.
+    pub unsafe fn draw(&self, commands: Recording, pipeline: &Pipeline) {
         let point = vk::PipelineBindPoint::GRAPHICS;
         self.depth.bindings.bind(commands, point, 0);
         let device = &self.gpu.raw;
@@ -156,7 +171,7 @@ impl Saturation {
         // SAFETY: the command buffer is recording inside the pipeline's render pass, as the caller
         // promises; the pipeline is alive.
         unsafe {
-            device.cmd_bind_pipeline(raw, point, self.depth.pipeline.raw());
+            device.cmd_bind_pipeline(raw, point, pipeline.raw());
             device.cmd_draw(raw, 3, 1, 0, 0);
         }
     }
@@ -176,35 +191,21 @@ fn constants(options: &RendererOptions) -> [u32; 3] {
     ]
 }
 
-/// A triangle over the whole image that writes the samples as depth, and colours.
+/// What a triangle over the whole image reads that writes the samples as depth, and colours.
 struct SaturationDepth {
     bindings: Bindings,
-    pipeline: Pipeline,
     sampler: Sampler,
 }
 
 impl SaturationDepth {
-    fn new(gpu: &Arc<Gpu>, render_pass: &RenderPass) -> Result<Self> {
+    fn new(gpu: &Arc<Gpu>) -> Result<Self> {
         let resources = Resources {
             image: Some(BoundImage::Read),
             ..Resources::default()
         };
         let stages = vk::ShaderStageFlags::FRAGMENT;
-        let bindings = Bindings::new(gpu, "saturation depth", stages, resources)?;
-        let replace = vk::PipelineColorBlendAttachmentState::default();
-        let drawing = PipelineDescription {
-            name: "saturation depth",
-            vertex: &shaders::PRESENT_VERTEX,
-            fragment: &shaders::SATURATION_DEPTH,
-            constants: &[],
-            layout: bindings.layout(),
-            render_pass: render_pass.raw(),
-            blend: replace,
-            depth: DepthUse::Write,
-        };
         Ok(Self {
-            pipeline: graphics::pipeline(gpu, drawing)?,
-            bindings,
+            bindings: Bindings::new(gpu, "saturation depth", stages, resources)?,
             sampler: Sampler::with(&gpu.device, &vk::SamplerCreateInfo::default(), "saturation")?,
         })
     }

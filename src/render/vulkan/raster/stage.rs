@@ -4,6 +4,7 @@ use super::{
     bins::Bins,
     draw::{Draw, RasterInputs},
     options::method,
+    quad_pass::{OnePassTarget, QuadPass},
     quads::Quads,
     resolve::Resolve,
     runs::{Runs, TileLists},
@@ -17,11 +18,14 @@ use crate::{
         device::{
             error::{Error, Result},
             gpu::Gpu,
+            handle::Framebuffer,
             recording::Recording,
         },
         memory::{Image, Replacement, Slice},
+        pipeline::graphics::Attachment,
     },
 };
+use ash::vk;
 use effigy_core::{
     frame::{ColorFormat, RasterMethod, RendererOptions, atlas::AtlasSlot},
     layout::BinLists,
@@ -201,11 +205,42 @@ impl Raster {
     }
 
     /// Draws what the sort left. `tested`: whether quads are tested against the saturation depth,
-    /// which this frame found.
-    pub(crate) fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
+    /// which this frame found. `screen`: where quads go in the same render pass; the damage must be
+    /// whole then.
+    pub(crate) fn record(
+        &self,
+        commands: Recording,
+        draw: &Draw,
+        tested: bool,
+        screen: Option<&OnePassTarget>,
+    ) {
         match &self.method {
-            Method::Quads(quads) => quads.record(commands, draw, tested),
+            Method::Quads(quads) => quads.record(commands, draw, tested, screen),
             Method::Tiles(tiles) => tiles.record(commands, draw),
+        }
+    }
+
+    /// A render pass that draws quads and has a second subpass for `screen`. None by tiles.
+    pub(crate) fn one_pass(&self, screen: Attachment) -> Result<Option<QuadPass>> {
+        match &self.method {
+            Method::Quads(quads) => quads.one_pass(screen).map(Some),
+            Method::Tiles(_) => Ok(None),
+        }
+    }
+
+    /// Around the image and a screen's of `size` px, for such a render pass. All three must outlive
+    /// its use. None where the image has another size.
+    pub(crate) fn framebuffer(
+        &self,
+        pass: &QuadPass,
+        screen: vk::ImageView,
+        size: [u32; 2],
+    ) -> Result<Option<Framebuffer>> {
+        match &self.method {
+            Method::Quads(quads) if quads.image().size == size => {
+                quads.framebuffer(pass, screen).map(Some)
+            }
+            _ => Ok(None),
         }
     }
 

@@ -116,7 +116,7 @@ impl Fill {
             final_layout: Some(FINAL_LAYOUT),
         };
         let depth_attachment = depth.is_some().then(graphics::depth);
-        let render_pass = graphics::render_pass(gpu, "fill", color, depth_attachment, &[])?;
+        let render_pass = graphics::render_pass(gpu, "fill", color, depth_attachment, None, &[])?;
         let bindings = Bindings::new(
             gpu,
             "fill",
@@ -145,6 +145,7 @@ impl Fill {
             ],
             layout: bindings.layout(),
             render_pass: render_pass.raw(),
+            subpass: 0,
             blend: blend(filling),
             depth: if filling.blended {
                 DepthUse::Without

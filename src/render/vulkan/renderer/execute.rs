@@ -9,7 +9,7 @@ use crate::vulkan::{
     device::recording::Recording,
     memory::{Buffer, Scope},
     passes::{mlp::Mlp, project::Project, sh::SphericalHarmonics},
-    raster::{Raster, draw::Draw},
+    raster::{Raster, draw::Draw, quad_pass::OnePassTarget},
     sort::Sort,
 };
 use ash::vk::{AccessFlags, PipelineStageFlags};
@@ -104,6 +104,8 @@ pub(super) struct Executor<'a> {
     pub plan: &'a FramePlan<'a>,
     /// Index of the frame in flight.
     pub frame: usize,
+    /// Where quads go in the render pass that draws them.
+    pub screen: Option<&'a OnePassTarget<'a>>,
     /// The draw into the frame's image.
     pub image: Draw<'a>,
     /// The draw into the atlas, if there is one.
@@ -213,10 +215,11 @@ impl Executor<'_> {
             Pass::Bin { target } => self.raster.record_bins(commands, self.draw(target)),
             Pass::Saturation => self.raster.record_saturation(commands, &self.image),
             Pass::RasterTiles { target, .. } => {
-                self.raster.record(commands, self.draw(target), false);
+                self.raster.record(commands, self.draw(target), false, None);
             }
             Pass::RasterQuads { tested, target } => {
-                self.raster.record(commands, self.draw(target), tested);
+                self.raster
+                    .record(commands, self.draw(target), tested, self.screen);
             }
             Pass::Resolve { clear } => {
                 let slots = &self.plan.atlas.as_ref().expect(SCHEDULED).slots;

@@ -28,7 +28,9 @@ use super::{
         choice::{MethodChoice, strike_off},
         download::{self, Copied},
         draw::{Draw, RasterInputs},
-        drawn_by, resolved,
+        drawn_by,
+        quad_pass::OnePassTarget,
+        resolved,
     },
     sort::{self, Sort, SortOptions},
 };
@@ -43,7 +45,7 @@ use effigy_core::{
         Stage, StageDispatches, Unusable,
         block::PoseLayout,
         capacity::Capacity,
-        passes::RenderTarget,
+        passes::{Pass, RenderTarget},
         resource::Resource,
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
@@ -59,11 +61,13 @@ use std::{sync::Arc, time::Instant};
 /// image.
 pub struct Presentation<'a> {
     semaphores: Option<Semaphores>,
-    record: &'a mut dyn FnMut(Recording),
+    record: &'a mut dyn FnMut(Recording, bool),
+    screen: Option<OnePassTarget<'a>>,
 }
 
 impl<'a> Presentation<'a> {
-    /// `semaphores`: None if nothing else waits for the frame.
+    /// `semaphores`: None if nothing else waits for the frame. `record` also gets whether the frame
+    /// went to [`Self::in_one_pass`].
     ///
     /// # Safety
     /// Everything that `record` uses must stay alive until the frame is done
@@ -71,9 +75,20 @@ impl<'a> Presentation<'a> {
     /// signalled, and the other one must not be used elsewhere.
     pub unsafe fn new(
         semaphores: Option<Semaphores>,
-        record: &'a mut dyn FnMut(Recording),
+        record: &'a mut dyn FnMut(Recording, bool),
     ) -> Self {
-        Self { semaphores, record }
+        Self {
+            semaphores,
+            record,
+            screen: None,
+        }
+    }
+
+    /// Lets the frame go to `screen` in the render pass that draws it, if it can: with quads, while
+    /// the image changes from frame to frame, has the screen's size, and holds no avatar that was
+    /// averaged. [`Renderer::copy`] then has nothing to copy.
+    pub fn in_one_pass(self, screen: Option<OnePassTarget<'a>>) -> Self {
+        Self { screen, ..self }
     }
 }
 
@@ -106,6 +121,10 @@ pub struct Renderer {
     damaged: Option<PixelRect>,
     /// Whether a frame was drawn into the image.
     has_image: bool,
+    /// The pass that drew the last image, if it went to the screen alone.
+    lost_image: Option<Pass>,
+    /// Whether the last frame changed the image.
+    moves: bool,
     next: usize,
     report: FrameReport,
     gpu: Arc<Gpu>,
@@ -118,6 +137,8 @@ struct FrameBefore {
     key_count: Option<u32>,
     /// A box around all pixels that may be drawn; None if they are not known.
     damaged: Option<PixelRect>,
+    /// The pass that drew the image, if that went to the screen alone.
+    lost_image: Option<Pass>,
 }
 
 impl Renderer {
@@ -233,6 +254,8 @@ impl Renderer {
             key_count: None,
             damaged: None,
             has_image: false,
+            lost_image: None,
+            moves: false,
             next: 0,
             report: FrameReport::default(),
             gpu: gpu.clone(),
@@ -350,7 +373,7 @@ impl Renderer {
         &mut self,
         poses: &[&Posed],
         camera: &Camera,
-        presentation: Option<Presentation>,
+        mut presentation: Option<Presentation>,
     ) -> Result<()> {
         validate::frame(poses, camera, &self.extent, &self.options)?;
         let frame = self.next;
@@ -363,6 +386,7 @@ impl Renderer {
         let before = FrameBefore {
             key_count: self.key_count.take(),
             damaged: self.damaged.take(),
+            lost_image: self.lost_image.take(),
         };
         let plan = state.plan(PlanInput {
             poses,
@@ -373,10 +397,11 @@ impl Renderer {
             capacity: self.capacity,
             always_submit: presentation.is_some(),
         });
-        if !plan.redraw && presentation.is_none() {
+        if !plan.redraw && presentation.is_none() && before.lost_image.is_none() {
             self.state = state;
             self.key_count = before.key_count;
             self.damaged = before.damaged;
+            self.moves = false;
             self.report = FrameReport::idle(&self.equipment());
             return Ok(());
         }
@@ -386,10 +411,13 @@ impl Renderer {
             return self.draw_scene(poses, camera, presentation);
         }
         let recording = section(c"record");
-        let schedule = self.record(frame, &plan, camera, before)?;
+        let screen = presentation.as_mut().and_then(|own| own.screen.take());
+        let screen = screen.filter(|screen| self.shows_at_once(&plan, screen));
+        let schedule = self.record(frame, &plan, camera, before, screen.as_ref())?;
         let mut semaphores = None;
         if let Some(presentation) = presentation {
-            self.frames_in_flight[frame].stage("present", presentation.record);
+            let record = |commands: Recording| (presentation.record)(commands, screen.is_some());
+            self.frames_in_flight[frame].stage("present", record);
             semaphores = presentation.semaphores;
         }
         drop(recording);
@@ -407,14 +435,27 @@ impl Renderer {
         });
         self.state = state;
         self.key_count = Some(schedule.key_count);
-        self.has_image = true;
-        self.damaged = if plan.redraw {
-            Some(plan.drawn_rect)
-        } else {
-            before.damaged
+        self.moves = plan.redraw;
+        self.has_image = screen.is_none();
+        self.lost_image = schedule.quads().filter(|_| screen.is_some());
+        let drawn = plan.redraw || before.lost_image.is_some();
+        self.damaged = match (screen, drawn) {
+            (Some(_), _) => None,
+            (None, true) => Some(plan.drawn_rect),
+            (None, false) => before.damaged,
         };
         self.next = (frame + 1) % FRAMES_IN_FLIGHT;
         Ok(())
+    }
+
+    /// Whether a frame is shown in the render pass that draws it. One that stands still may be shown
+    /// again, so it is stored.
+    fn shows_at_once(&self, plan: &FramePlan, screen: &OnePassTarget) -> bool {
+        self.options.shows_at_once()
+            && self.moves
+            && plan.redraw
+            && plan.atlas.is_none()
+            && screen.size == self.raster.drawn()
     }
 
     /// Waits for the frame before the last, and takes its report. `frame`: its index.
@@ -460,6 +501,7 @@ impl Renderer {
         plan: &FramePlan,
         camera: &Camera,
         before: FrameBefore,
+        screen: Option<&OnePassTarget>,
     ) -> Result<FrameSchedule> {
         let sources = blocks::BlockSources {
             extent: &self.extent,
@@ -473,10 +515,13 @@ impl Renderer {
         self.frames_in_flight[frame].begin()?;
         let device_state = DeviceState {
             key_count: before.key_count,
+            lost_image: before.lost_image,
         };
         let schedule = FrameSchedule::new(plan, &self.equipment(), device_state);
-        let damage = Damage::new(plan.drawn_rect, before.damaged, self.raster.drawn());
-        self.execute(frame, &schedule, plan, &damage);
+        // A screen holds nothing of the frame before.
+        let damaged = before.damaged.filter(|_| screen.is_none());
+        let damage = Damage::new(plan.drawn_rect, damaged, self.raster.drawn());
+        self.execute(frame, &schedule, plan, &damage, screen);
         Ok(schedule)
     }
 
@@ -487,6 +532,7 @@ impl Renderer {
         schedule: &FrameSchedule,
         plan: &FramePlan,
         damage: &Damage,
+        screen: Option<&OnePassTarget>,
     ) {
         let stages = StageDispatches {
             has_sh: !self.sh.is_empty(),
@@ -519,6 +565,7 @@ impl Renderer {
             blocks: &self.blocks,
             plan,
             frame,
+            screen,
             image: draw(&plan.image, RenderTarget::Image, damage),
             atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, RenderTarget::Atlas, damage)),
         };
@@ -615,12 +662,14 @@ impl Renderer {
     fn forget(&mut self) {
         self.state = FrameState::default();
         self.damaged = None;
+        self.lost_image = None;
     }
 
     /// Waits, and copies the image of the last frame to the host.
     ///
     /// # Errors
-    /// When no frame was drawn at this size, the device fails, or it has too little memory.
+    /// When no frame was drawn at this size, or the last one went to its screen alone, the device
+    /// fails, or it has too little memory.
     pub fn read_image(&mut self) -> Result<FrameImage> {
         Ok(self.copy()?.decode())
     }

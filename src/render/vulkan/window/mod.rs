@@ -3,6 +3,7 @@
 pub(crate) mod pre_transform;
 pub(crate) mod present;
 pub(crate) mod screen;
+mod screen_pass;
 #[cfg(feature = "window")]
 pub mod swapchain;
 #[cfg(feature = "window")]

@@ -7,6 +7,7 @@ use super::{
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, handle::Framebuffer, recording::Recording},
     memory::{Buffer, Image, copy_image},
+    raster::{Raster, quad_pass::OnePassTarget},
 };
 use ash::vk;
 use gpu_allocator::MemoryLocation;
@@ -20,6 +21,8 @@ pub struct Offscreen {
     gpu: Arc<Gpu>,
     present: Present,
     framebuffer: Framebuffer,
+    /// Of a raster that is connected.
+    one_pass: Option<Framebuffer>,
     image: Image,
 }
 
@@ -36,6 +39,7 @@ impl Offscreen {
             gpu: gpu.clone(),
             present,
             framebuffer,
+            one_pass: None,
             image,
         })
     }
@@ -50,19 +54,47 @@ impl Offscreen {
         unsafe { self.present.set_image(image) };
     }
 
+    /// Shows this raster's image from now on, as a window would.
+    ///
+    /// # Errors
+    /// When the device fails.
+    ///
+    /// # Safety
+    /// Those of [`Present::connect`].
+    pub unsafe fn connect(&mut self, raster: &Raster) -> Result<()> {
+        // SAFETY: the caller promises what the function asks for.
+        unsafe { self.present.connect(raster) }?;
+        let Image { size, .. } = self.image;
+        let upright = PreTransform::default();
+        let view = self.image.view();
+        self.one_pass = self
+            .present
+            .one_pass_framebuffer(raster, view, size, upright);
+        Ok(())
+    }
+
+    /// See [`Present::one_pass`].
+    pub fn one_pass(&self, background: [f32; 3]) -> Option<OnePassTarget<'_>> {
+        self.present.one_pass(self.canvas(), Some(background))
+    }
+
+    fn canvas(&self) -> PresentTarget<'_> {
+        PresentTarget {
+            framebuffer: &self.framebuffer,
+            one_pass: self.one_pass.as_ref(),
+            size: self.image.size,
+            pre_transform: PreTransform::default(),
+        }
+    }
+
     /// Stretches the upper left `drawn` px of the image over the target, over a background:
     /// display-referred RGB, 0 to 1.
     pub fn record(&self, commands: Recording, drawn: [u32; 2], background: [f32; 3]) {
-        let canvas = PresentTarget {
-            framebuffer: &self.framebuffer,
-            size: self.image.size,
-            pre_transform: PreTransform::default(),
-        };
         let shown = PresentedImage {
             drawn,
             background: Some(background),
         };
-        self.present.record(commands, canvas, shown, || ());
+        self.present.record(commands, self.canvas(), shown, || ());
     }
 
     /// Copies what it shows, RGBA row by row from the top left, and waits. It must have shown

@@ -3,7 +3,7 @@
 pub use super::target::NativeWindow;
 use super::{
     pre_transform::PreTransform,
-    present::PresentTarget,
+    present::{Present, PresentTarget},
     timing::{PresentFeedback, Timing},
 };
 use crate::vulkan::{
@@ -15,6 +15,7 @@ use crate::vulkan::{
         logical::Device,
     },
     memory::COLOR,
+    raster::Raster,
 };
 use ash::{khr, vk};
 use std::{rc::Rc, sync::Arc, time::Duration};
@@ -115,7 +116,9 @@ pub struct Swapchain {
 /// Objects of one image of a window.
 struct WindowImage {
     framebuffer: Framebuffer,
-    _view: ImageView,
+    /// Of a raster that is connected.
+    one_pass: Option<Framebuffer>,
+    view: ImageView,
     /// Signalled when the image has been drawn; free again when it is acquired again.
     finished: Semaphore,
 }
@@ -246,10 +249,25 @@ impl Swapchain {
         }
     }
 
+    /// Has frames of the raster that is connected go to the window in the render pass that draws
+    /// them, where they can. To be called for each new swapchain, and each new image of a raster.
+    ///
+    /// # Safety
+    /// No submitted work may use the swapchain's targets. The raster's image must outlive the work
+    /// that will.
+    pub unsafe fn connect(&mut self, present: &Present, raster: &Raster) {
+        for image in &mut self.images {
+            let view = image.view.raw();
+            image.one_pass =
+                present.one_pass_framebuffer(raster, view, self.size, self.pre_transform);
+        }
+    }
+
     /// The target for an image.
     pub fn canvas(&self, image: &AcquiredImage) -> PresentTarget<'_> {
         PresentTarget {
             framebuffer: &self.images[image.index].framebuffer,
+            one_pass: self.images[image.index].one_pass.as_ref(),
             size: self.size,
             pre_transform: self.pre_transform,
         }
@@ -336,7 +354,8 @@ fn images(
         let view = ImageView::with_range(device, image, format, COLOR, "window")?;
         images.push(WindowImage {
             framebuffer: Framebuffer::around(device, render_pass, &[view.raw()], size, "window")?,
-            _view: view,
+            one_pass: None,
+            view,
             finished: Semaphore::unsignalled_binary(device, "frame drawn")?,
         });
     }
