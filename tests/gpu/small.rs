@@ -7,7 +7,7 @@ use effigy_core::{
     frame::{FrameReport, RendererOptions, Skip},
     layout::RASTER_REGION,
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling},
+    scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling, supersampling::DRAWN_SIDE},
 };
 use effigy_measure::error;
 use glam::{DAffine3, DVec3};
@@ -51,7 +51,7 @@ macro_rules! check_with {
 
 const SIZE: [u32; 2] = [320, 240];
 /// An image in which an avatar may be large.
-pub const LARGE: [u32; 2] = [640, 560];
+pub const LARGE: [u32; 2] = [720, 630];
 
 /// A small avatar, and a camera that sees it from a distance in metres.
 pub fn scene(distance: f64, size: [u32; 2]) -> (Avatar, Camera) {
@@ -259,14 +259,15 @@ pub fn no_switch_is_seen<R: Renders>(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
     let posed = posed(&avatar, &camera, 3, DVec3::new(0.05, 0.02, 0.0));
     let options = supersampled::<R>(raster, &camera, Supersampling::BySize);
-    let [small, large] = [639.99, 640.01].map(|side| {
+    let [small, large] = [-0.01, 0.01].map(|off| {
+        let side = DRAWN_SIDE + off;
         let camera = camera_at(&avatar, &posed, side);
         drawn::<R>(&avatar, &[&posed], &camera, options)
     });
     let supersampled = [&small, &large].map(|(_, report)| report.counters.supersampled);
     assert_eq!(supersampled, [1, 0]);
     assert_near("across the switch", &small.0, &large.0, 50.0);
-    let camera = camera_at(&avatar, &posed, 640.01);
+    let camera = camera_at(&avatar, &posed, DRAWN_SIDE + 0.01);
     let own = reference::render(&avatar, &posed, &camera);
     assert_near("as large as shown", &large.0, &own, 50.0);
 }
@@ -359,7 +360,7 @@ pub fn frames_show_the_same_whatever_came_before<R: Renders>(raster: Raster) {
 pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
     // Up to 120 and 60 px.
-    let avatar = common::with_near_levels(avatar);
+    let avatar = common::with_levels(avatar);
     let own = [
         &avatar.at_level(&avatar.levels[0]),
         &avatar.at_level(&avatar.levels[1]),
@@ -411,7 +412,7 @@ pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
 /// right, and a still frame of it is not drawn again.
 pub fn levels_have_samples_of_their_own<R: Renders>(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
-    let mut avatar = common::with_near_levels(avatar);
+    let mut avatar = common::with_levels(avatar);
     for level in &mut avatar.levels {
         for measured in &mut level.measured {
             let fat = if measured.samples == 2 { 0.02 } else { -0.02 };
@@ -445,7 +446,7 @@ pub fn levels_have_their_own_harmonics<R: Renders>(raster: Raster) {
     let (mut body, _) = scene(8.0, LARGE);
     body.sh = Some(common::harmonics(6, body.gaussians.len(), 2));
     for avatar in [splats, body] {
-        let mut avatar = common::with_near_levels(avatar);
+        let mut avatar = common::with_levels(avatar);
         for level in &mut avatar.levels {
             // What is drawn with the colours of another set is far from the reference.
             let sh = level.sh.as_mut().unwrap();

@@ -16,13 +16,13 @@ use effigy_measure::error;
 use effigy_render::vulkan::{Gpu, Renderer};
 use glam::{DAffine3, DVec3};
 
-const SIZE: [u32; 2] = [640, 560];
+const SIZE: [u32; 2] = [720, 630];
 /// Gaussians that there is room for: one whole avatar, or two halves, or a half and two quarters.
 const ROOM: u32 = 3010;
 const AVATARS: usize = 10;
 
 fn avatar() -> Avatar {
-    common::with_near_levels(common::avatar(
+    common::with_levels(common::avatar(
         4,
         Sizes {
             gaussians: 3001,
