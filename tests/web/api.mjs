@@ -128,7 +128,7 @@ export const api = {
       };
       const large = { distance: 0.5 };
       const small = { distance: 20 };
-      await effigy.loadAvatar("data/kept/2-levels.avatar");
+      await effigy.loadAvatar("levels.avatar");
       effigy.camera = small;
       const first = await seen(effigy);
       const image = await pixels(await effigy.screenshot());
@@ -145,7 +145,7 @@ export const api = {
       canvas.style = "width: 200px; height: 260px";
       document.body.append(canvas);
       const other = await Effigy.create(canvas, { supersample: 1, detail: "1/2" });
-      await other.loadAvatar("data/kept/2-levels.avatar");
+      await other.loadAvatar("levels.avatar");
       other.camera = small;
       return {
         refused,

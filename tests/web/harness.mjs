@@ -35,6 +35,8 @@ const routes = {
   "/early.avatar": async () => reorderForPreview(await readFile(join(root, "demo.avatar"))),
   "/early-other.avatar": async () =>
     rename(reorderForPreview(await readFile(join(root, "demo.avatar")))),
+  // Levels near enough to be drawn.
+  "/levels.avatar": async () => nearer(await readFile("tests/data/kept/2-levels.avatar")),
 };
 
 // A request of /release continues one download with `?hold=`, in either order.
@@ -50,6 +52,11 @@ resetRelease();
 /** Changes the first letter of the avatar's name in a file to `~`. */
 function rename(file) {
   return Buffer.from(file.toString("latin1").replace(/(\\"name\\":\\")./, "$1~"), "latin1");
+}
+
+/** Adds 10 dB to what a file says of its levels. */
+function nearer(file) {
+  return Buffer.from(file.toString("latin1").replace(/(psnr_db\\":)3/g, "$14"), "latin1");
 }
 
 /** Moves the correctives to the end of a file. */
