@@ -360,7 +360,7 @@ pub fn frames_show_the_same_whatever_came_before<R: Renders>(raster: Raster) {
 pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
     // Up to 120 and 60 px.
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let own = [
         &avatar.at_level(&avatar.levels[0]),
         &avatar.at_level(&avatar.levels[1]),
@@ -412,7 +412,7 @@ pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
 /// right, and a still frame of it is not drawn again.
 pub fn levels_have_samples_of_their_own<R: Renders>(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
-    let mut avatar = common::with_levels(avatar);
+    let mut avatar = common::with_near_levels(avatar);
     for level in &mut avatar.levels {
         for measured in &mut level.measured {
             let fat = if measured.samples == 2 { 0.02 } else { -0.02 };
@@ -446,7 +446,7 @@ pub fn levels_have_their_own_harmonics<R: Renders>(raster: Raster) {
     let (mut body, _) = scene(8.0, LARGE);
     body.sh = Some(common::harmonics(6, body.gaussians.len(), 2));
     for avatar in [splats, body] {
-        let mut avatar = common::with_levels(avatar);
+        let mut avatar = common::with_near_levels(avatar);
         for level in &mut avatar.levels {
             // What is drawn with the colours of another set is far from the reference.
             let sh = level.sh.as_mut().unwrap();

@@ -22,7 +22,7 @@ const ROOM: u32 = 3010;
 const AVATARS: usize = 10;
 
 fn avatar() -> Avatar {
-    common::with_levels(common::avatar(
+    common::with_near_levels(common::avatar(
         4,
         Sizes {
             gaussians: 3001,

@@ -48,7 +48,7 @@ check_with!(Renderer);
 /// A governor asks for one level coarser than is near enough, and takes that back.
 fn coarser_levels_are_drawn_where_asked_for(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let [first, second] = [0, 1].map(|level: usize| avatar.at_level(&avatar.levels[level]));
     let whole = Avatar {
         levels: vec![],

@@ -54,7 +54,7 @@ check_with!(Renderer);
 /// One alone; then with one that is large, before and behind it, and one that shares its slot.
 fn small_avatars_are_those_of_the_vulkan_backend(raster: Raster) {
     let (avatar, camera) = scene(2.6, LARGE);
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let options = RendererOptions {
         instances: 3,
         count: true,
@@ -133,7 +133,7 @@ fn levels_may_come_after_the_first_frame(raster: Raster) {
     for (avatar, away, level) in [(&own, 0.0, 2), (&lit, 0.0, 2), (&bare, -12.0, 1)] {
         let posed = posed(&own, &camera, 2, DVec3::new(0.1, 0.0, away));
         let avatar = Avatar {
-            levels: common::with_levels(if avatar.sh.is_some() { &lit } else { &own }.clone())
+            levels: common::with_near_levels(if avatar.sh.is_some() { &lit } else { &own }.clone())
                 .levels,
             ..avatar.clone()
         };
@@ -172,7 +172,7 @@ fn levels_may_come_after_the_first_frame(raster: Raster) {
 /// it, comes near, leaves it and comes again, beside one that is large or alone.
 fn only_boxes_around_small_avatars_are_drawn(raster: Raster) {
     let (avatar, camera) = scene(2.6, LARGE);
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let near = DVec3::new(-0.6, 0.0, 0.0);
     let gone = DVec3::new(0.0, 0.0, -400.0);
     let frames = [
