@@ -215,9 +215,6 @@ fn given<'a>(args: &Args, player: &'a Player) -> &'a [Player] {
     }
 }
 
-/// Poses of clips in which it is found from where Gaussians show.
-const FACING_POSES: usize = 32;
-
 /// The share of a pixel from which on a Gaussian shows (docs/experiments/072).
 const SHOWN: f64 = 4.0 / 255.0;
 
@@ -225,7 +222,7 @@ const SHOWN: f64 = 4.0 / 255.0;
 fn face(avatar: &Avatar, players: &[Player]) -> Avatar {
     let bar = progress::items(0, "views");
     let mut faced = avatar.clone();
-    let given = poses::from_clips(players, FACING_POSES, 0.5);
+    let given = poses::from_clips(players, facing::GIVEN_POSES, 0.5);
     facing::face(&mut faced, &given, SHOWN, &mut |done, all| {
         bar.set_length(all as u64);
         bar.set_position(done as u64);

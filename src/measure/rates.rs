@@ -223,7 +223,7 @@ fn measure_fill(
     show: &mut dyn FnMut(&str),
 ) -> Result<FillReport> {
     let mut report = FillReport {
-        color: format!("{:?}", filling.format).to_lowercase(),
+        color: filling.format.name().to_owned(),
         blended: filling.blended,
         order: match filling.order {
             FillOrder::BackToFront => "back to front",

@@ -166,7 +166,7 @@ impl OptionsReport {
     pub fn new(setting: &RenderSetting) -> Self {
         let options = &setting.options;
         Self {
-            color: format!("{:?}", options.color()).to_lowercase(),
+            color: options.color().name().to_owned(),
             raster: raster_name(options),
             skip: options.skip.to_string(),
             cutoff: options.cutoff,

@@ -694,8 +694,8 @@ impl TrainingSession {
         face(&mut avatar, &self.poses(), shown, &mut |_, _| ());
         self.start.gaussians.facing = avatar.gaussians.facing;
         self.topology = Topology::new(&self.start);
-        let topology = self.topology.clone();
-        self.trainer_mut()?.face(&topology)?;
+        let trainer = self.trainer.as_mut().ok_or(TrainError::Ended)?;
+        trainer.face(&self.topology)?;
         self.faced = self.recipe.facing.times_at(share);
         Ok(())
     }

@@ -109,6 +109,14 @@ pub enum ColorFormat {
 }
 
 impl ColorFormat {
+    /// Name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rgba8 => "rgba8",
+            Self::Rgba16F => "rgba16f",
+        }
+    }
+
     /// Bytes of a pixel.
     pub fn bytes(self) -> usize {
         match self {

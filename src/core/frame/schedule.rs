@@ -238,7 +238,10 @@ impl FrameSchedule {
     /// The pass that draws the image, if quads do: [`DeviceState::lost_image`] of the next frame if
     /// the image is not kept.
     pub fn quads(&self) -> Option<Pass> {
-        let draws = |pass: &&Pass| matches!(pass, Pass::RasterQuads { target, .. } if *target == RenderTarget::Image);
+        let draws = |pass: &&Pass| match pass {
+            Pass::RasterQuads { target, .. } => *target == RenderTarget::Image,
+            _ => false,
+        };
         self.passes().find(draws).copied()
     }
 

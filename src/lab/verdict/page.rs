@@ -5,7 +5,7 @@ use crate::sorts::{SortRow, SortsReport};
 use effigy_measure::{
     bench::report::{CaseReport, ErrorReport, SweepReport},
     rates::RatesReport,
-    soak::{SoakReport, report::Second},
+    soak::SoakReport,
 };
 
 /// The case whose stages are listed one by one.
@@ -355,10 +355,9 @@ fn soak_section(page: &mut Page, soak: &SoakReport) {
         100.0 * soak.dropped_share,
         soak.changes
     ));
-    let most = |get: fn(&Second) -> Option<f64>| soak.each.iter().filter_map(get).reduce(f64::max);
     let heat = [
-        most(|second| second.headroom),
-        most(|second| second.celsius),
+        soak.highest(|second| second.headroom),
+        soak.highest(|second| second.celsius),
     ];
     if heat.iter().any(Option::is_some) {
         let [headroom, celsius] = heat.map(known);

@@ -15,6 +15,7 @@ use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rayon::prelude::*;
 use seen::directions;
 use std::num::NonZero;
+pub use views::GIVEN_POSES;
 use views::views;
 
 /// Neighbours that say from where a Gaussian is drawn that no view shows: it may lie just beneath

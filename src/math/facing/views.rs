@@ -8,8 +8,10 @@ use effigy_core::reference::project::skinning;
 use effigy_core::scene::{AvatarBounds, Camera, Posed};
 use std::f64::consts::TAU;
 
-/// Poses that are seen, at most half of them given ones.
+/// Poses that are seen.
 const POSES: usize = 64;
+/// At most so many of them are given ones.
+pub const GIVEN_POSES: usize = POSES / 2;
 /// Largest standard deviation by which joints are turned further in three of four poses, radians:
 /// what clothes and limbs hide shows in poses that no clip has.
 const TURNED: f64 = 0.8;
@@ -38,7 +40,7 @@ pub struct FacingView {
 
 /// Views of an avatar in some of the given poses and in random ones.
 pub fn views(avatar: &Avatar, given: &[Pose]) -> Vec<FacingView> {
-    let mut poses = evenly_spaced(given, POSES / 2);
+    let mut poses = evenly_spaced(given, GIVEN_POSES);
     poses.extend(poses::random(avatar, POSES - poses.len(), SEED));
     let bounds = AvatarBounds::new(avatar);
     let gaussians = &avatar.gaussians;

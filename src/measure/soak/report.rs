@@ -84,6 +84,11 @@ pub struct SoakReport {
 }
 
 impl SoakReport {
+    /// The highest of a number that seconds have; None where none has it.
+    pub fn highest(&self, get: fn(&Second) -> Option<f64>) -> Option<f64> {
+        self.each.iter().filter_map(get).reduce(f64::max)
+    }
+
     /// Reads a report's JSON.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use crate::{
         BenchCase,
         report::{BenchReport, CaseReport},
     },
-    soak::{SoakReport, report::Second},
+    soak::SoakReport,
     steps::StepOutcome,
 };
 use effigy_render::vulkan::{raster::ColorFormat, trial::TrialOutcome};
@@ -27,7 +27,7 @@ impl SurveyReport {
                 let giga = bytes / 1e9;
                 words.push(format!("Memory moves {giga:.1} GB a second."));
             }
-            let blended = format!("{:?}", ColorFormat::Rgba16F).to_lowercase();
+            let blended = ColorFormat::Rgba16F.name();
             let mut fills = rates.fills.iter();
             if let Some(fill) =
                 fills.find(|fill| fill.color == blended && fill.shape == "gaussians")
@@ -76,16 +76,14 @@ fn frame(report: &BenchReport, case: &CaseReport) -> String {
 }
 
 fn soak(soak: &SoakReport) -> String {
-    let largest =
-        |get: fn(&Second) -> Option<f64>| soak.each.iter().filter_map(get).reduce(f64::max);
     let mut heat = String::new();
-    if let Some(headroom) = largest(|second| second.headroom) {
+    if let Some(headroom) = soak.highest(|second| second.headroom) {
         heat += &format!(
             ", up to {:.0} % of the heat at which it throttles",
             100.0 * headroom
         );
     }
-    if let Some(celsius) = largest(|second| second.celsius) {
+    if let Some(celsius) = soak.highest(|second| second.celsius) {
         heat += &format!(", up to {celsius:.0} °C");
     }
     format!(
