@@ -22,6 +22,9 @@
 //! }
 //! ```
 //!
+//! [`Renderer::add_avatar`] and [`Renderer::draw_people`] draw different people, who may pass through
+//! each other.
+//!
 //! A camera and a pose need no device, and neither does the reference, which draws in f64. The demo
 //! is in a package of its own, `effigy-demo`, below `src/demo`:
 //!
@@ -66,7 +69,7 @@ pub use device::{Gpu, GpuOptions};
 pub use effigy_core::reference;
 pub use effigy_core::{
     avatar::{Avatar, Clip, Pose, Skeleton, motion::Player},
-    frame::FrameReport,
+    frame::{AvatarId, FrameReport, Person},
     glam,
     io::file::{FileError, FormatError},
     scene::{AvatarBounds, Camera, FrameImage, Framing, Orbit, Posed},

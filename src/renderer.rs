@@ -1,6 +1,6 @@
-//! An avatar on a device, drawn to images.
+//! Avatars on a device, drawn to images.
 
-use crate::{AvatarBounds, Camera, FrameImage, FrameReport, Gpu, Posed, Result};
+use crate::{AvatarBounds, AvatarId, Camera, FrameImage, FrameReport, Gpu, Person, Posed, Result};
 use effigy_core::{avatar::Avatar, frame, scene::Supersampling};
 use effigy_render::vulkan;
 
@@ -21,15 +21,14 @@ impl RendererOptions {
         Self(self.0.exactly())
     }
 
-    /// At most so many copies of the avatar in a scene, 1 to 1024 [default: 1]; memory grows with
-    /// it.
-    pub fn copies(mut self, most: usize) -> Self {
+    /// At most so many people in a scene, 1 to 1024 [default: 1]; memory grows with it.
+    pub fn people(mut self, most: usize) -> Self {
         self.0.instances = most;
         self
     }
 
-    /// At most so many Gaussians a frame, of all copies together; where there are more, those with
-    /// the most a pixel are drawn from coarser levels [default: all, or those of four copies where
+    /// At most so many Gaussians a frame, of all people together; where there are more, those with
+    /// the most a pixel are drawn from coarser levels [default: all, or those of four people where
     /// there may be more than 16]. Memory grows with it.
     pub fn gaussians(mut self, most: u32) -> Self {
         self.0.gaussians = Some(most);
@@ -44,7 +43,7 @@ impl RendererOptions {
     }
 }
 
-/// An avatar on a device, in as many poses as it was made for. Dropping it waits for its frames.
+/// Avatars on a device, and people of them. Dropping it waits for its frames.
 pub struct Renderer(vulkan::Renderer);
 
 impl Renderer {
@@ -57,7 +56,7 @@ impl Renderer {
         vulkan::Renderer::new(&gpu.0, avatar, options.0).map(Self)
     }
 
-    /// How far the avatar reaches in any pose: frames it in a camera.
+    /// How far the avatar that it was made with reaches in any pose: frames it in a camera.
     pub fn bounds(&self) -> &AvatarBounds {
         self.0.bounds()
     }
@@ -71,13 +70,35 @@ impl Renderer {
         self.0.draw(posed, camera, None)
     }
 
-    /// Submits a frame of several copies, sorted together. Keep each copy at its place in `poses`
-    /// from frame to frame: what is cached and what has changed goes by it.
+    /// Holds another avatar from now on, of which people can be drawn. Waits for submitted frames.
+    /// People of one avatar share its memory: add it once.
     ///
     /// # Errors
-    /// Those of [`Renderer::draw`]; when there are more poses than [`RendererOptions::copies`].
-    pub fn draw_copies(&mut self, poses: &[&Posed], camera: &Camera) -> Result<()> {
-        self.0.draw_scene(poses, camera, None)
+    /// When the avatar's arrays contradict each other, or the device has too little memory or fails.
+    /// Then nothing has changed.
+    pub fn add_avatar(&mut self, avatar: &Avatar) -> Result<AvatarId> {
+        self.0.add_avatar(&vulkan::PreparedAvatar::new(avatar)?)
+    }
+
+    /// Gives an avatar's memory back, after waiting for submitted frames: no person of it can be
+    /// drawn any more. False if it is not held.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn remove_avatar(&mut self, avatar: AvatarId) -> Result<bool> {
+        self.0.remove_avatar(avatar)
+    }
+
+    /// Submits a frame of several people, sorted together, so that they may pass through each other.
+    /// Keep everybody's place in `people` from frame to frame: what is cached and what has changed
+    /// goes by it. [`Posed::placed`] says where somebody stands. Waits for submitted frames where
+    /// buffers have to grow.
+    ///
+    /// # Errors
+    /// Those of [`Renderer::draw`]; when there are more people than [`RendererOptions::people`], or
+    /// an avatar was removed.
+    pub fn draw_people(&mut self, people: &[Person], camera: &Camera) -> Result<()> {
+        self.0.draw_scene(people, camera, None)
     }
 
     /// Waits for every submitted frame.

@@ -7,6 +7,7 @@ use crate::{
 use ash::vk;
 use effigy_core::{
     avatar::Avatar,
+    frame::AvatarId,
     scene::{Camera, FrameImage, Posed},
 };
 use effigy_render::vulkan::{
@@ -196,7 +197,7 @@ impl WindowPainter {
         let prepared = PreparedAvatar::new(avatar)?;
         // Before what frames under way use goes.
         self.renderer.finish()?;
-        if self.renderer.replace_avatar(&prepared)? {
+        if self.renderer.replace_avatar(AvatarId::FIRST, &prepared)? {
             self.validator = None;
             return self.set_quality(&FrameQuality::FULL);
         }

@@ -20,6 +20,7 @@ mod bench;
 mod budget;
 mod camera_path;
 mod capture;
+mod cast;
 mod compare;
 mod convert;
 mod dataset;

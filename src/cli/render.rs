@@ -4,21 +4,22 @@ use crate::{
     backdrop::{self, Backdrop, BackdropArg},
     backend::BackendArg,
     camera_path::{CrowdPlacement, FrameRange, followed, held},
+    cast::Cast,
     files,
     options::{self, CameraArgs, QualityArgs},
     output::{self, IMAGE, Output},
     picture, progress,
     source::{self, Source},
 };
-use anyhow::ensure;
+use anyhow::{bail, ensure};
 use effigy_core::{
-    avatar::{Avatar, motion::Player},
+    frame::AvatarId,
     io::cameras,
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Framing, Posed},
 };
-use effigy_measure::{bench::Backend, in_rows};
-use effigy_render::vulkan::{Gpu, Renderer, RendererOptions, cache};
+use effigy_measure::bench::Backend;
+use effigy_render::vulkan::{Gpu, PreparedAvatar, Renderer, RendererOptions, cache};
 #[cfg(feature = "webgpu")]
 use effigy_render::webgpu;
 use effigy_runtime::slow_start::{self, SlowStart};
@@ -95,6 +96,7 @@ pub struct Args {
 enum ImageRenderer<'a> {
     Vulkan {
         renderer: Box<Renderer>,
+        ids: Vec<AvatarId>,
         size: [u32; 2],
         /// Until the first frame is drawn.
         slow_start: Option<SlowStart>,
@@ -102,35 +104,43 @@ enum ImageRenderer<'a> {
     #[cfg(feature = "webgpu")]
     WebGpu {
         renderer: Box<webgpu::Renderer>,
+        ids: Vec<AvatarId>,
         size: [u32; 2],
     },
     Reference {
-        avatar: &'a Avatar,
         quality: &'a QualityArgs,
     },
 }
 
 impl<'a> ImageRenderer<'a> {
     /// Opens what the arguments name, for images of `size` unless a camera has its own.
-    fn open(args: &'a Args, avatar: &'a Avatar, image_size: [u32; 2]) -> anyhow::Result<Self> {
+    fn open(args: &'a Args, cast: &Cast, image_size: [u32; 2]) -> anyhow::Result<Self> {
         if args.reference {
             return Ok(Self::Reference {
-                avatar,
                 quality: &args.quality,
             });
         }
         let options = RendererOptions {
-            instances: args.count.into(),
+            instances: cast.len(),
             ..args.quality.renderer(image_size)
         };
         let gpu = args.quality.gpu();
+        let [first, others @ ..] = &cast.avatars[..] else {
+            bail!("there is nobody to draw");
+        };
+        let mut ids = vec![AvatarId::FIRST];
         Ok(match args.backend.try_into()? {
             Backend::Vulkan => {
                 let gpu = Gpu::new(&gpu)?;
                 println!("drawing with {}", gpu.probe.name);
                 let slow_start = slow_start(&gpu);
+                let mut renderer = Box::new(Renderer::new(&gpu, first, options)?);
+                for avatar in others {
+                    ids.push(renderer.add_avatar(&PreparedAvatar::new(avatar)?)?);
+                }
                 Self::Vulkan {
-                    renderer: Box::new(Renderer::new(&gpu, avatar, options)?),
+                    renderer,
+                    ids,
                     size: image_size,
                     slow_start,
                 }
@@ -139,8 +149,15 @@ impl<'a> ImageRenderer<'a> {
             Backend::WebGpu => {
                 let gpu = webgpu::Gpu::open(gpu.device.as_deref())?;
                 println!("drawing with {} through WebGPU", gpu.name());
+                let mut renderer = Box::new(webgpu::Renderer::new(&gpu, first, options)?);
+                for avatar in others {
+                    let id = renderer.add_avatar(avatar)?;
+                    renderer.upload(id, avatar)?;
+                    ids.push(id);
+                }
                 Self::WebGpu {
-                    renderer: Box::new(webgpu::Renderer::new(&gpu, avatar, options)?),
+                    renderer,
+                    ids,
                     size: image_size,
                 }
             }
@@ -148,9 +165,14 @@ impl<'a> ImageRenderer<'a> {
     }
 
     /// Draws one image of the camera's size.
-    fn draw(&mut self, poses: &[&Posed], camera: &Camera) -> anyhow::Result<FrameImage> {
+    fn draw(
+        &mut self,
+        cast: &Cast,
+        posed: &[Posed],
+        camera: &Camera,
+    ) -> anyhow::Result<FrameImage> {
         match self {
-            Self::Reference { avatar, quality } => {
+            Self::Reference { quality } => {
                 let [width, height] = camera.size;
                 let pixels = u64::from(width) * u64::from(height);
                 ensure!(
@@ -159,8 +181,7 @@ impl<'a> ImageRenderer<'a> {
                 );
                 let options = quality.renderer(camera.size);
                 Ok(reference::render_shown(
-                    avatar,
-                    poses,
+                    &cast.reference(posed),
                     camera,
                     options.supersampling,
                     options.filter,
@@ -168,6 +189,7 @@ impl<'a> ImageRenderer<'a> {
             }
             Self::Vulkan {
                 renderer,
+                ids,
                 size,
                 slow_start,
             } => {
@@ -175,18 +197,22 @@ impl<'a> ImageRenderer<'a> {
                     renderer.resize(camera.size)?;
                     *size = camera.size;
                 }
-                renderer.draw_scene(poses, camera, None)?;
+                renderer.draw_scene(&cast.people(posed, ids), camera, None)?;
                 let image = renderer.read_image()?;
                 slow_start.take();
                 Ok(image)
             }
             #[cfg(feature = "webgpu")]
-            Self::WebGpu { renderer, size } => {
+            Self::WebGpu {
+                renderer,
+                ids,
+                size,
+            } => {
                 if camera.size != *size {
                     renderer.resize(camera.size)?;
                     *size = camera.size;
                 }
-                renderer.draw_scene(poses, camera)?;
+                renderer.draw_scene(&cast.people(posed, ids), camera)?;
                 Ok(renderer.read_image()?)
             }
         }
@@ -197,9 +223,7 @@ impl<'a> ImageRenderer<'a> {
 struct Shoot<'a> {
     args: &'a Args,
     out: &'a Output,
-    avatar: &'a Avatar,
-    bounds: AvatarBounds,
-    player: &'a Player,
+    cast: &'a Cast,
 }
 
 /// An image to take.
@@ -211,29 +235,25 @@ struct Shot {
 }
 
 impl Shoot<'_> {
-    /// The avatars at a time of the clip.
-    fn row(&self, seconds: f64) -> Vec<Posed> {
-        row(self.avatar, self.player, seconds, self.args.count.into())
-    }
-
-    /// Where they are at that time.
+    /// Where everybody is at a time of the clip.
     fn place(&self, seconds: f64) -> CrowdPlacement {
-        place(self.avatar, &self.bounds, &self.row(seconds))
+        let posed = self.cast.posed(seconds);
+        let people = self.cast.reference(&posed);
+        place(people.iter().zip(self.cast.bounds()))
     }
 
     /// The camera of the arguments that looks at a box. `places`: where somebody stands in it.
     fn camera(&self, bounds: [DVec3; 2], places: &[CrowdPlacement]) -> anyhow::Result<Camera> {
         let size = self.args.size.unwrap_or(SIZE);
-        let framing = framing(self.avatar, bounds);
+        let framing = framing(self.cast.is_static(), bounds);
         let mut arguments = self.args.camera.clone();
-        // Copies stand anywhere in the box.
-        let one = self.args.count == 1 && !self.avatar.is_static();
-        if arguments.distance.is_some() || !one {
+        // Several stand anywhere in the box.
+        if arguments.distance.is_some() || !self.cast.is_one_person() {
             return arguments.camera(framing, size);
         }
         let fov = arguments.fov.to_radians();
         let first = places.first().map_or(bounds, |place| place.bounds);
-        let first = self::framing(self.avatar, first).bounds;
+        let first = Framing::person(first).bounds;
         let nearest = Camera::standing_distance(first, fov, size);
         let mut camera = arguments.camera(framing, size)?;
         // As near as for who stands in the middle, then as far as all of the places need.
@@ -314,8 +334,11 @@ pub fn run(mut args: Args) -> anyhow::Result<()> {
         out.ending() != "jpg" || !matches!(args.background, BackdropArg::Transparent),
         "a .jpg has no transparency: write a .png or .webp, or give --background a colour"
     );
-    let (mut avatar, player) = args.source.load_player()?;
-    args.quality.filter.apply(&mut avatar);
+    let mut cast = Cast::load(&args.source, args.count.into())?;
+    for avatar in &mut cast.avatars {
+        args.quality.filter.apply(avatar);
+    }
+    let player = cast.player();
     // What can't be drawn or written is refused before a device is opened, which may take seconds.
     let rate = args.fps.unwrap_or(player.clip().rate);
     let frames = match args.frames {
@@ -323,31 +346,28 @@ pub fn run(mut args: Args) -> anyhow::Result<()> {
         None => None,
     };
     let cameras = match &args.cameras {
-        Some(path) => Some(source::cameras(path, &avatar)?),
+        Some(path) => Some(source::cameras(path, &cast.avatars[0])?),
         None => None,
     };
     if frames.is_none() {
-        source::check_time(&player, args.time);
+        source::check_time(player, args.time);
     }
     let is_series = frames.is_some() || cameras.is_some();
     let mut backdrop = Backdrop::open(&args.background)?;
     let shoot = Shoot {
         args: &args,
         out,
-        avatar: &avatar,
-        bounds: AvatarBounds::new(&avatar),
-        player: &player,
+        cast: &cast,
     };
     let shots = shoot.shots(frames, rate, cameras.as_deref())?;
     if is_series {
         output::check_series(out, shots.iter().map(|shot| &shot.out))?;
     }
-    let mut renderer = ImageRenderer::open(&args, &avatar, args.size.unwrap_or(SIZE))?;
+    let mut renderer = ImageRenderer::open(&args, &cast, args.size.unwrap_or(SIZE))?;
     let bar = progress::items(shots.len() as u64, "images");
     for shot in &shots {
-        let poses = shoot.row(shot.seconds);
-        let poses: Vec<&Posed> = poses.iter().collect();
-        let image = renderer.draw(&poses, &shot.camera)?;
+        let posed = cast.posed(shot.seconds);
+        let image = renderer.draw(&cast, &posed, &shot.camera)?;
         picture::write(&backdrop.behind(&image), &shot.out)?;
         bar.inc(1);
     }
@@ -368,27 +388,29 @@ fn default_output() -> anyhow::Result<Output> {
 }
 
 /// What a camera frames in a box around avatars.
-fn framing(avatar: &Avatar, bounds: [DVec3; 2]) -> Framing {
-    if avatar.is_static() {
+fn framing(is_static: bool, bounds: [DVec3; 2]) -> Framing {
+    if is_static {
         Framing::scene(bounds)
     } else {
         Framing::person(bounds)
     }
 }
 
-/// Where avatars are.
-fn place(avatar: &Avatar, bounds: &AvatarBounds, poses: &[Posed]) -> CrowdPlacement {
-    // A scene is where it shows, not where its furthest splats are.
-    let around = |posed: &Posed| {
-        if avatar.is_static() {
-            bounds.framing(&posed.joints).bounds
-        } else {
-            bounds.bounds(&posed.joints)
+/// Where people are, each with the bounds of their avatar.
+fn place<'a>(
+    people: impl Iterator<Item = (&'a reference::Person<'a>, &'a AvatarBounds)>,
+) -> CrowdPlacement {
+    let places = people.map(|(person, bounds)| {
+        let joints = &person.posed.joints;
+        CrowdPlacement {
+            // A scene is where it shows, not where its furthest splats are.
+            bounds: if person.avatar.is_static() {
+                bounds.framing(joints).bounds
+            } else {
+                bounds.bounds(joints)
+            },
+            ground: person.posed.ground(person.avatar),
         }
-    };
-    let places = poses.iter().map(|posed| CrowdPlacement {
-        bounds: around(posed),
-        ground: posed.ground(avatar),
     });
     let places: Vec<CrowdPlacement> = places.collect();
     let ground: DVec3 = places.iter().map(|place| place.ground).sum();
@@ -396,21 +418,6 @@ fn place(avatar: &Avatar, bounds: &AvatarBounds, poses: &[Posed]) -> CrowdPlacem
         bounds: held(&places),
         ground: ground / places.len() as f64,
     }
-}
-
-/// `count` copies of an avatar in a row or several, their times spread over the clip from `seconds`
-/// on.
-fn row(avatar: &Avatar, player: &Player, seconds: f64, count: usize) -> Vec<Posed> {
-    let duration = player.clip().duration();
-    let pose = |number: usize| {
-        let mut time = seconds + duration * number as f64 / count as f64;
-        // The first copy keeps the time that was asked for, even past the clip's end.
-        if number > 0 && duration > 0.0 {
-            time %= duration;
-        }
-        Posed::new(avatar, &player.pose(time)).placed(in_rows(number, count))
-    };
-    (0..count).map(pose).collect()
 }
 
 /// Renders a turn around the avatar while it moves, for a machine without a display, and prints
@@ -435,9 +442,16 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
         let seconds = share * player.clip().duration().min(SECONDS);
         Posed::new(&avatar, &player.pose(seconds))
     };
-    let places = (0..IMAGES).map(|number| place(&avatar, &bounds, &[posed(number)]));
+    let places = (0..IMAGES).map(|number| {
+        let posed = posed(number);
+        let person = reference::Person {
+            avatar: &avatar,
+            posed: &posed,
+        };
+        place(std::iter::once((&person, &bounds)))
+    });
     let places: Vec<CrowdPlacement> = places.collect();
-    let framing = framing(&avatar, held(&places));
+    let framing = framing(avatar.is_static(), held(&places));
     let distance = if avatar.is_static() {
         Camera::framing_distance(framing.bounds, FOV, size)
     } else {

@@ -72,7 +72,7 @@ fn of_clip(avatar: &Avatar, clip: Clip) -> anyhow::Result<RgbaImage> {
     let pose = Player::new(clip, &avatar.skeleton).pose(middle);
     let posed = Posed::new(avatar, &pose);
     let camera = camera(AvatarBounds::new(avatar).framing(&posed.joints));
-    over_background(&reference::render_scene(avatar, &[&posed], &camera))
+    over_background(&reference::render(avatar, &posed, &camera))
 }
 
 /// What a checkpoint itself shows, in the pose in the middle of its training.

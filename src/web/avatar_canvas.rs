@@ -6,7 +6,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Clip},
-    frame::{RendererOptions, report::stage_ms},
+    frame::{AvatarId, RendererOptions, report::stage_ms},
     io::{
         file::{FileContent, Neutral},
         splats,
@@ -179,7 +179,7 @@ impl AvatarCanvas {
             return Ok(());
         };
         let levels = std::mem::take(&mut avatar.levels);
-        match shown.renderer.replace_avatar(&avatar) {
+        match shown.renderer.replace_avatar(AvatarId::FIRST, &avatar) {
             Ok(false) => {
                 return Err(js_error(
                     "the file has changed while it was loaded: load it again",

@@ -3,7 +3,7 @@
 use crate::motion::AvatarMotion;
 use effigy_core::{
     avatar::{Avatar, Level},
-    frame::RendererOptions,
+    frame::{AvatarId, RendererOptions},
 };
 use effigy_render::webgpu::{Error, Gpu, Renderer, present::Present};
 use std::{pin::Pin, sync::Arc};
@@ -29,7 +29,7 @@ impl DrawableAvatar {
     /// Draws small images from the levels of detail from now on.
     pub fn add_levels(&mut self) -> Result<(), Error> {
         self.complete_avatar();
-        match self.renderer.add_levels(&self.avatar) {
+        match self.renderer.add_levels(AvatarId::FIRST, &self.avatar) {
             Ok(_) => Ok(()),
             Err(error @ Error::DeviceLost(_)) => Err(error),
             Err(error) => {
@@ -201,7 +201,10 @@ impl UploadedAvatar {
     /// device can't take it.
     pub fn upload(&mut self) -> Result<js_sys::Promise, JsValue> {
         let errors = self.gpu.watch();
-        let written = self.drawable.renderer.upload(&self.drawable.avatar);
+        let written = self
+            .drawable
+            .renderer
+            .upload(AvatarId::FIRST, &self.drawable.avatar);
         let upload = errors.end();
         written.map_err(js_error)?;
         let allocation = self.allocation.take();

@@ -40,6 +40,7 @@ fn main() -> ExitCode {
             stages::frame,
             stages::detail,
             stages::crowd,
+            stages::people,
             stages::resolve,
             stages::skip,
             stages::scene,
@@ -57,6 +58,8 @@ fn main() -> ExitCode {
             webgpu,
             #[cfg(feature = "webgpu")]
             webgpu::small,
+            #[cfg(feature = "webgpu")]
+            webgpu::people,
         ],
     )
 }

@@ -245,8 +245,12 @@ pub fn any_factor_is_averaged_by_area<R: Renders>(raster: Raster) {
         let camera = camera_at(&avatar, &posed, side);
         let (image, report) = drawn::<R>(&avatar, &[&posed], &camera, options);
         assert_eq!(report.counters.supersampled, 1, "{side} px");
-        let expected =
-            reference::render_shown(&avatar, &[&posed], &camera, Supersampling::BySize, None);
+        let expected = reference::render_shown(
+            &reference::people(&avatar, &[&posed]),
+            &camera,
+            Supersampling::BySize,
+            None,
+        );
         assert_near(&format!("{side} px"), &image, &expected, 48.0);
         let largest = error::between(&image, &expected).covered.max_error;
         assert!(largest <= 0.06, "{side} px: {largest}");
@@ -387,8 +391,12 @@ pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
         renderer.draw_all(&[&posed], &camera);
         let image = renderer.image();
         let drawn = if level == 0 { &whole } else { own[level - 1] };
-        let expected =
-            reference::render_shown(drawn, &[&posed], &camera, Supersampling::BySize, None);
+        let expected = reference::render_shown(
+            &reference::people(drawn, &[&posed]),
+            &camera,
+            Supersampling::BySize,
+            None,
+        );
         assert_near(
             &format!("level {level}, {away} m away"),
             &image,
@@ -429,8 +437,12 @@ pub fn levels_have_samples_of_their_own<R: Renders>(raster: Raster) {
         let counters = renderer.report().counters;
         // Half way between 1/2 and 1/4: 2.67.
         assert_eq!((counters.coarsest_level, counters.most_samples), (level, 3));
-        let expected =
-            reference::render_shown(&avatar, &[&posed], &camera, Supersampling::BySize, None);
+        let expected = reference::render_shown(
+            &reference::people(&avatar, &[&posed]),
+            &camera,
+            Supersampling::BySize,
+            None,
+        );
         assert_near(&format!("level {level}"), &image, &expected, 44.0);
         renderer.draw_all(&[&posed], &camera);
         assert!(renderer.image() == image, "a still frame has changed");
@@ -474,14 +486,23 @@ pub fn levels_have_their_own_harmonics<R: Renders>(raster: Raster) {
             let poses = [&poses[0], &poses[1]];
             renderer.draw_all(&poses, &camera);
             let image = renderer.image();
-            let expected =
-                reference::render_shown(&avatar, &poses, &camera, Supersampling::BySize, None);
+            let expected = reference::render_shown(
+                &reference::people(&avatar, &poses),
+                &camera,
+                Supersampling::BySize,
+                None,
+            );
             assert_near(&format!("{near} and {far} away"), &image, &expected, 44.0);
             let own = Avatar {
                 levels: vec![],
                 ..avatar.clone()
             };
-            let own = reference::render_shown(&own, &poses, &camera, Supersampling::BySize, None);
+            let own = reference::render_shown(
+                &reference::people(&own, &poses),
+                &camera,
+                Supersampling::BySize,
+                None,
+            );
             let other = error::between(&own, &expected).covered.psnr_db;
             assert!(
                 other < 40.0,

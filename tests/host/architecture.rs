@@ -123,6 +123,7 @@ const LAYERS: &[Layers] = &[
             "export",
             "import",
             "camera_path",
+            "cast",
             "render",
             "soak",
             "dropped",

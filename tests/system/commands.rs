@@ -121,6 +121,60 @@ fn render_draws_several_as_the_reference_does() {
     assert!(fails_usage(folder.path(), "render --count 0").contains("--count"));
 }
 
+fn render_draws_a_scene_as_the_reference_does() {
+    gpu::drawing();
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let scene = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let small = r#""avatar": "small.avatar", "motion": "small.motion""#;
+    scene(
+        "two.scene.json",
+        &format!(
+            r#"{{"people": [{{{small}, "at": [0.2, 0, 0], "turn": 90, "scale": 1.5}},
+                {{"at": [-0.2, 0, 0.1], "start": 1.0}}, {{{small}, "start": 0.2}}]}}"#
+        ),
+    );
+    let what = "render two.scene.json --size 240x160 --time 0.4";
+    works(folder.path(), &format!("{what} --out gpu.png"));
+    works(
+        folder.path(),
+        &format!("{what} --reference --out reference.png"),
+    );
+    works(
+        folder.path(),
+        "render --size 240x160 --time 0.4 --out one.png",
+    );
+    let [gpu, reference, one] =
+        ["gpu.png", "reference.png", "one.png"].map(|name| read_image(&folder.path().join(name)));
+    let error = error::between(&gpu, &reference).whole;
+    assert!(error.psnr_db > 48.0, "{error:?}");
+    assert!(error::between(&one, &reference).whole.psnr_db < 30.0);
+    let person = format!("{{{small}}},");
+    let crowd = format!(r#"{{"people": [{}{{}}]}}"#, person.repeat(1024));
+    for (text, expected) in [
+        (r#"{"people": []}"#, "0 people, expected 1 to 1024"),
+        (crowd.as_str(), "1025 people, expected 1 to 1024"),
+        (r#"{"people": [{"avatar": "gone.avatar"}]}"#, "gone.avatar"),
+        (
+            r#"{"people": [{}, {"avatar": "two.scene.json"}]}"#,
+            "person 1: two.scene.json is a scene",
+        ),
+        (r#"{"people": [{"scale": 0}]}"#, "`scale` is 0"),
+        (r#"{"people": [{"at": [1e9, 0, 0]}]}"#, "1000 m away"),
+        (r#"{"people": [{"size": 1}]}"#, "unknown field `size`"),
+        (r#"{"people": {}}"#, "expected a sequence"),
+    ] {
+        scene("bad.scene.json", text);
+        let message = fails(folder.path(), "render bad.scene.json");
+        assert!(
+            message.contains(expected) && message.contains("bad.scene.json"),
+            "{message}"
+        );
+    }
+    let message = fails(folder.path(), "render two.scene.json --count 2");
+    assert!(message.contains("--count"), "{message}");
+}
+
 fn a_range_of_frames_becomes_numbered_images() {
     let folder = tempfile::tempdir().unwrap();
     works(
@@ -782,6 +836,7 @@ tests! {
     sorts_are_measured_as_long_as_is_said,
     render_writes_the_demo_as_the_reference_draws_it,
     render_draws_several_as_the_reference_does,
+    render_draws_a_scene_as_the_reference_does,
     a_range_of_frames_becomes_numbered_images,
     without_a_display_the_program_renders_a_turntable,
     bench_writes_what_it_measured_of_every_case,

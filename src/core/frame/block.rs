@@ -12,32 +12,76 @@ use bytemuck::{bytes_of, bytes_of_mut};
 use glam::DAffine3;
 use std::mem::offset_of;
 
-/// Where avatars' features and nodes are in the pose buffer, in vectors of 4.
+/// Where people's features and nodes are in the pose buffer, in vectors of 4.
 #[derive(Clone, Copy, Debug)]
 pub struct PoseLayout {
-    /// Vectors of an avatar: its features, then its nodes' displacements, two nodes a vector.
+    /// Vectors of a person: the features, then the nodes' displacements, two nodes a vector.
     pub vectors: u32,
-    /// Avatars that it holds.
-    pub avatars: u32,
+    /// People that it holds.
+    pub people: u32,
 }
 
 impl PoseLayout {
-    /// The layout for as many poses as the capacity has, of an avatar with these constants.
-    pub fn new(constants: &FrameBlock, capacity: Capacity) -> Self {
-        Self {
-            vectors: constants.parts * constants.feature_quads + constants.nodes.div_ceil(2),
-            avatars: capacity.posed as u32,
-        }
-    }
-
-    /// Where a vector of zeros is, behind all avatars: how far nodes move that nothing moves.
+    /// Where a vector of zeros is, behind everybody's: how far nodes move that nothing moves.
     pub fn zeros(&self) -> u32 {
-        self.avatars * self.vectors
+        self.people * self.vectors
     }
 
     /// Vectors of the buffer.
     pub fn total(&self) -> u32 {
         self.zeros() + 1
+    }
+}
+
+/// How much the buffers hold that all people of a frame share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SharedSizes {
+    /// Of a frame.
+    pub capacity: Capacity,
+    /// Of a person's features and nodes: [`PoseLayout::vectors`].
+    pub pose_vectors: u32,
+    /// Words of a Gaussian in the pose cache.
+    pub cache_words: u32,
+}
+
+impl SharedSizes {
+    /// Those for people of avatars with these constants.
+    pub fn new<'a>(avatars: impl Iterator<Item = &'a FrameBlock>, capacity: Capacity) -> Self {
+        let mut new = Self {
+            capacity,
+            pose_vectors: 0,
+            cache_words: 0,
+        };
+        for own in avatars {
+            let vectors = own.parts * own.feature_quads + own.nodes.div_ceil(2);
+            new.pose_vectors = new.pose_vectors.max(vectors);
+            new.cache_words = new.cache_words.max(own.pose_cache_words());
+        }
+        new
+    }
+
+    /// Whether they suffice where `other` do.
+    pub fn hold(&self, other: &Self) -> bool {
+        self.capacity.holds(&other.capacity)
+            && self.pose_vectors >= other.pose_vectors
+            && self.cache_words >= other.cache_words
+    }
+
+    /// Those that suffice where either do.
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            capacity: self.capacity.union(other.capacity),
+            pose_vectors: self.pose_vectors.max(other.pose_vectors),
+            cache_words: self.cache_words.max(other.cache_words),
+        }
+    }
+
+    /// Where people are in the pose buffer.
+    pub fn pose_layout(&self) -> PoseLayout {
+        PoseLayout {
+            vectors: self.pose_vectors,
+            people: self.capacity.posed as u32,
+        }
     }
 }
 

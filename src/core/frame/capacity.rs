@@ -57,6 +57,34 @@ impl Portion {
     }
 }
 
+/// Gaussians of portions of an avatar.
+struct Needs {
+    whole: u64,
+    coarsest: u64,
+    /// Of the smallest that networks move, at least 1.
+    fewest: u64,
+}
+
+impl Needs {
+    fn of(bounds: &AvatarBounds) -> Self {
+        let count = |portion: Portion| u64::from(portion.gaussians(bounds));
+        let whole = Portion { model: 0, level: 0 };
+        let portions = std::iter::successors(Some(whole), |portion| portion.coarser(bounds));
+        let moved = portions.filter(|portion| portion.correctives(bounds));
+        let fewest = moved.map(|portion| count(portion).max(1)).min();
+        // Every level of every avatar may also be thinned out.
+        let thinned = count(Portion {
+            level: detail::COARSEST,
+            ..whole
+        });
+        Self {
+            whole: count(whole),
+            coarsest: count(Portion::coarsest(bounds)),
+            fewest: fewest.unwrap_or(u64::MAX).min(thinned),
+        }
+    }
+}
+
 /// How much a renderer's buffers can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capacity {
@@ -68,46 +96,65 @@ pub struct Capacity {
 }
 
 impl Capacity {
-    /// The capacity that a renderer with these options needs.
+    /// The capacity that a renderer with these options needs for as many people of one avatar as it
+    /// may draw.
     ///
     /// # Errors
-    /// When [`RendererOptions::gaussians`] is too few for the coarsest portion of every avatar, or
-    /// for one whole avatar.
+    /// Those of [`Self::of`].
     pub fn new(options: &RendererOptions, bounds: &AvatarBounds) -> Result<Self, Unusable> {
-        let instances = options.instances as u64;
-        let count = |portion: Portion| u64::from(portion.gaussians(bounds));
-        let whole = Portion { model: 0, level: 0 };
-        let all = instances * count(whole);
-        let least = (instances * count(Portion::coarsest(bounds))).max(count(whole));
+        Self::of(options, std::iter::repeat_n(bounds, options.instances))
+    }
+
+    /// The capacity that a renderer with these options needs for people of avatars with these
+    /// bounds.
+    ///
+    /// # Errors
+    /// When [`RendererOptions::gaussians`] is too few for the coarsest portion of each, or for one
+    /// of them whole.
+    pub fn of<'a>(
+        options: &RendererOptions,
+        people: impl Iterator<Item = &'a AvatarBounds>,
+    ) -> Result<Self, Unusable> {
+        let [mut all, mut coarsest, mut largest, mut count] = [0u64; 4];
+        let mut fewest = u64::MAX;
+        for bounds in people {
+            let needs = Needs::of(bounds);
+            all += needs.whole;
+            coarsest += needs.coarsest;
+            largest = largest.max(needs.whole);
+            fewest = fewest.min(needs.fewest);
+            count += 1;
+        }
+        let least = coarsest.max(largest);
         let gaussians = match options.gaussians {
             Some(most) => all.min(most.into()),
-            None if options.instances > FEW => all.min((4 * count(whole)).max(least)),
+            None if options.instances > FEW => all.min((4 * largest).max(least)),
             None => all,
         };
         if gaussians < least {
             return Err(Unusable {
                 what: "the number of Gaussians of a frame".into(),
                 found: gaussians.to_string(),
-                expected: format!("at least {least}, for {instances} of these avatars"),
+                expected: format!("at least {least}, for {count} of these avatars"),
             });
         }
-        let mut moved = Some(whole);
-        let mut fewest = u64::MAX;
-        while let Some(portion) = moved {
-            if portion.correctives(bounds) {
-                fewest = fewest.min(count(portion).max(1));
-            }
-            moved = portion.coarser(bounds);
-        }
-        // Every level of every avatar may also be thinned out.
-        let fewest = fewest.min(count(Portion {
-            level: detail::COARSEST,
-            ..whole
-        }));
         Ok(Self {
             gaussians: gaussians.try_into().unwrap_or(u32::MAX),
-            posed: (gaussians / fewest.max(1)).min(instances) as usize,
+            posed: (gaussians / fewest.max(1)).min(count) as usize,
         })
+    }
+
+    /// Whether it suffices where `other` does.
+    pub fn holds(&self, other: &Self) -> bool {
+        self.gaussians >= other.gaussians && self.posed >= other.posed
+    }
+
+    /// One that suffices where either does.
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            gaussians: self.gaussians.max(other.gaussians),
+            posed: self.posed.max(other.posed),
+        }
     }
 
     /// Capacity for this many whole avatars, for plans that are never drawn.
@@ -120,21 +167,24 @@ impl Capacity {
 
     /// Makes portions coarser until all fit, always that of the avatar with the most Gaussians a
     /// pixel of its box. `side`: the longest side of an avatar in the image, px; called only if
-    /// portions don't fit.
+    /// portions don't fit. `bounds`: of each portion's avatar.
     pub fn fit(
         &self,
         portions: &mut [Portion],
         side: impl Fn(usize) -> f64,
-        bounds: &AvatarBounds,
+        bounds: &[&AvatarBounds],
     ) {
-        let count = |portion: Portion| u64::from(portion.gaussians(bounds));
-        let mut total: u64 = portions.iter().map(|&portion| count(portion)).sum();
+        let count = |avatar: usize, portion: Portion| portion.gaussians(bounds[avatar]);
+        let portions_of = portions.iter().enumerate();
+        let mut total: u64 = portions_of
+            .map(|(avatar, &portion)| u64::from(count(avatar, portion)))
+            .sum();
         if total <= self.gaussians.into() {
             return;
         }
         let sides: Vec<f64> = (0..portions.len()).map(side).collect();
         let crowded = |avatar: usize, portion: Portion| Crowded {
-            density: f64::from(portion.gaussians(bounds)) / (sides[avatar] * sides[avatar]),
+            density: f64::from(count(avatar, portion)) / (sides[avatar] * sides[avatar]),
             avatar,
         };
         let mut densest: BinaryHeap<Crowded> = (0..portions.len())
@@ -143,9 +193,9 @@ impl Capacity {
         while total > self.gaussians.into()
             && let Some(Crowded { avatar, .. }) = densest.pop()
         {
-            if let Some(coarser) = portions[avatar].coarser(bounds) {
-                total -= count(portions[avatar]);
-                total += count(coarser);
+            if let Some(coarser) = portions[avatar].coarser(bounds[avatar]) {
+                total -= u64::from(count(avatar, portions[avatar]));
+                total += u64::from(count(avatar, coarser));
                 portions[avatar] = coarser;
                 densest.push(crowded(avatar, coarser));
             }
@@ -267,14 +317,14 @@ mod tests {
         let capacity = Capacity::new(&options(8, Some(2 * count)), &bounds).expect("a capacity");
         let mut portions = [Portion { model: 0, level: 0 }; 8];
         let sides = [900.0, 100.0, 90.0, 80.0, 70.0, 60.0, 50.0, 40.0];
-        capacity.fit(&mut portions, |avatar| sides[avatar], &bounds);
+        capacity.fit(&mut portions, |avatar| sides[avatar], &[&bounds; 8]);
         let total: u32 = portions.iter().map(|own| own.gaussians(&bounds)).sum();
         assert!(total <= 2 * count && total > count, "{portions:?}");
         assert_eq!(portions[0], Portion { model: 0, level: 0 });
         assert!(portions.is_sorted_by_key(|own| own.model));
         // What fits stays.
         let before = portions;
-        capacity.fit(&mut portions, |avatar| sides[avatar], &bounds);
+        capacity.fit(&mut portions, |avatar| sides[avatar], &[&bounds; 8]);
         assert_eq!(portions, before);
     }
 
@@ -288,7 +338,7 @@ mod tests {
             Capacity::new(&options(instances, Some(count)), &bounds).expect("a capacity");
         let mut portions = vec![Portion { model: 0, level: 0 }; instances];
         for side in [1000.0, 0.0, f64::INFINITY, f64::NAN] {
-            capacity.fit(&mut portions, |_| side, &bounds);
+            capacity.fit(&mut portions, |_| side, &vec![&bounds; instances]);
             let drawn = portions.iter().map(|own| own.gaussians(&bounds));
             assert!(drawn.sum::<u32>() <= capacity.gaussians);
         }

@@ -34,7 +34,7 @@ pub struct RendererOptions {
     /// The low-pass to draw with. None: the avatar's own, with which alone it looks as it was
     /// learned.
     pub filter: Option<Filter>,
-    /// Maximum number of copies of the avatar in a scene, 1 to 1024; memory grows with it.
+    /// Maximum number of people in a scene, 1 to 1024; memory grows with it.
     pub instances: usize,
     /// Maximum number of Gaussians that a frame draws, of all copies together; memory grows with it,
     /// too. If there are more, the copies with the most Gaussians a pixel are drawn from coarser

@@ -1,7 +1,7 @@
 //! The passes of a frame as data: what each does, and what it reads and writes on the device.
 
 use super::{
-    Skinning,
+    AvatarId, Skinning,
     kernels::{self, Access, KernelSpec},
     resource::{PipelineStages, Resource},
 };
@@ -117,15 +117,19 @@ pub enum Pass {
     ClearCounts,
     /// Runs an avatar's networks up to part `parts`, and moves the nodes.
     Mlp {
-        /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
+        /// Index among [`PlanInput::people`](super::PlanInput::people).
         instance: usize,
+        /// Whose networks.
+        avatar: AvatarId,
         /// One past the last part whose network runs.
         parts: u32,
     },
     /// Works out the colours of an avatar's first `gaussians` Gaussians as the camera sees them.
     Sh {
-        /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
+        /// Index among [`PlanInput::people`](super::PlanInput::people).
         instance: usize,
+        /// Whose Gaussians.
+        avatar: AvatarId,
         /// Which of the avatar's levels is drawn; 0 is the avatar itself.
         model: usize,
         /// How many Gaussians its level of detail draws.
@@ -133,8 +137,10 @@ pub enum Pass {
     },
     /// Projects an avatar's first `gaussians` Gaussians.
     Project {
-        /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
+        /// Index among [`PlanInput::people`](super::PlanInput::people).
         instance: usize,
+        /// Whose Gaussians.
+        avatar: AvatarId,
         /// Which of the avatar's levels is drawn; 0 is the avatar itself.
         model: usize,
         /// How many Gaussians its level of detail draws.
@@ -310,6 +316,7 @@ mod tests {
         let target = RenderTarget::Image;
         let project = |skinning| Pass::Project {
             instance: 0,
+            avatar: AvatarId::FIRST,
             model: 0,
             gaussians: 1,
             skinning,
@@ -317,10 +324,12 @@ mod tests {
         let passes = [
             Pass::Mlp {
                 instance: 0,
+                avatar: AvatarId::FIRST,
                 parts: 1,
             },
             Pass::Sh {
                 instance: 0,
+                avatar: AvatarId::FIRST,
                 model: 0,
                 gaussians: 1,
             },

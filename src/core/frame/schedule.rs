@@ -1,7 +1,7 @@
 //! A frame as a list of steps, made once, executed by both backends.
 
 use super::{
-    FramePlan, RasterMethod, Skip,
+    AvatarInstance, FramePlan, RasterMethod, Skip,
     passes::{ListForm, Pass, RenderTarget, Stage},
     resource::{PipelineStages, Resource},
     state::Layer,
@@ -92,7 +92,7 @@ pub enum ScheduleStep {
 /// The stages and options of a renderer, which stay the same from frame to frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Equipment {
-    /// The avatar's colours change with the view.
+    /// An avatar's colours change with the view.
     pub sh: bool,
     /// Avatars may be drawn larger than they are shown.
     pub supersampling: bool,
@@ -164,6 +164,7 @@ impl FrameSchedule {
             .filter(|instance| !instance.networks.is_empty())
             .map(|instance| Pass::Mlp {
                 instance: instance.index,
+                avatar: instance.avatar,
                 parts: instance.networks.end() as u32,
             })
             .collect();
@@ -210,6 +211,7 @@ impl FrameSchedule {
                 _ if !plan.redraw => SkipReason::Unchanged,
                 _ if first.is_none() => SkipReason::NothingInView,
                 Stage::Mlp => SkipReason::Unchanged,
+                Stage::Sh => SkipReason::NothingInView,
                 Stage::Resolve => SkipReason::NothingSmall,
                 _ => SkipReason::NotWorthwhile,
             };
@@ -365,7 +367,7 @@ impl Recorder {
 
     /// Draws the avatars of a layer, at least one.
     fn layer(&mut self, layer: &Layer, target: RenderTarget, equipment: &Equipment) {
-        self.geometry(layer, equipment);
+        self.geometry(layer);
         self.stage(Stage::Sort, vec![Pass::Sort]);
         let tested = target == RenderTarget::Image
             && equipment.tests_depth()
@@ -374,27 +376,27 @@ impl Recorder {
     }
 
     /// Colours and projection of all avatars of a layer.
-    fn geometry(&mut self, layer: &Layer, equipment: &Equipment) {
-        let sh = |instance: &super::AvatarInstance| Pass::Sh {
+    fn geometry(&mut self, layer: &Layer) {
+        let sh = |instance: &AvatarInstance| Pass::Sh {
             instance: instance.index,
+            avatar: instance.avatar,
             model: instance.model,
             gaussians: instance.gaussians,
         };
-        if equipment.sh {
-            self.stage(
-                Stage::Sh,
-                layer.instances.first().map(sh).into_iter().collect(),
-            );
+        let first = layer.instances.iter().find(|instance| instance.has_sh);
+        if let Some(first) = first {
+            self.stage(Stage::Sh, vec![sh(first)]);
         }
         let mut passes = Vec::new();
-        for (position, instance) in layer.instances.iter().enumerate() {
-            // All avatars share one buffer of colours: each one's replace those of the one before,
-            // once these are used.
-            if equipment.sh && position > 0 {
+        for instance in &layer.instances {
+            // People of one avatar share one buffer of colours: each one's replace those of the one
+            // before, once these are used.
+            if instance.has_sh && first.is_some_and(|first| first.index != instance.index) {
                 passes.push(sh(instance));
             }
             passes.push(Pass::Project {
                 instance: instance.index,
+                avatar: instance.avatar,
                 model: instance.model,
                 gaussians: instance.gaussians,
                 skinning: instance.changes.skinning,
@@ -481,10 +483,10 @@ mod tests {
     use crate::{
         avatar::{Avatar, Pose},
         frame::{
-            Counters, FrameState, PlanInput, RendererOptions, StageDispatches, capacity::Capacity,
-            passes::Use,
+            AvatarId, AvatarTraits, Counters, FrameState, PlanInput, RendererOptions,
+            StageDispatches, capacity::Capacity, passes::Use, people::PlannedPerson,
         },
-        scene::{AvatarBounds, Camera, PartDependencies, Posed, Supersampling},
+        scene::{AvatarBounds, Camera, Posed, Supersampling},
     };
     use glam::{DAffine3, DVec3};
 
@@ -493,8 +495,7 @@ mod tests {
     /// Plans frames of the demo with some options.
     struct Planner {
         avatar: Avatar,
-        bounds: AvatarBounds,
-        dependencies: PartDependencies,
+        traits: AvatarTraits,
         options: RendererOptions,
         state: FrameState,
         device_state: DeviceState,
@@ -506,8 +507,7 @@ mod tests {
         fn new(options: RendererOptions) -> Self {
             let avatar = crate::demo::avatar().unwrap();
             Self {
-                bounds: AvatarBounds::new(&avatar),
-                dependencies: PartDependencies::new(&avatar),
+                traits: AvatarTraits::new(&avatar, AvatarBounds::new(&avatar)),
                 avatar,
                 options: RendererOptions {
                     size: SIZE,
@@ -528,29 +528,30 @@ mod tests {
 
         fn camera(&self, yaw: f64) -> Camera {
             let joints = self.posed(0.0, 0.0).joints;
-            let middle = self.bounds.framing(&joints).middle();
+            let middle = self.traits.bounds.framing(&joints).middle();
             Camera::orbit(middle, yaw, 0.0, 3.0, 0.6, self.options.size)
         }
 
         fn frame(&mut self, poses: &[Posed], yaw: f64, equipment: &Equipment) -> FrameSchedule {
             let camera = self.camera(yaw);
-            let poses: Vec<&Posed> = poses.iter().collect();
+            self.traits.has_sh = equipment.sh;
+            let person = |posed| PlannedPerson {
+                avatar: AvatarId::FIRST,
+                traits: &self.traits,
+                posed,
+            };
+            let people: Vec<_> = poses.iter().map(person).collect();
+            let capacity = Capacity::new(&self.options, &self.traits.bounds);
             let plan = self.state.plan(PlanInput {
-                poses: &poses,
+                people: &people,
                 camera: &camera,
-                bounds: &self.bounds,
-                dependencies: &self.dependencies,
                 options: &self.options,
-                capacity: Capacity::new(&self.options, &self.bounds).expect("room for all"),
+                capacity: capacity.expect("room for all"),
                 always_submit: true,
             });
             let schedule = FrameSchedule::new(&plan, equipment, self.device_state);
-            let dispatches = StageDispatches {
-                has_sh: equipment.sh,
-                sort: 0,
-                raster: 0,
-            };
-            self.counters = plan.counters(1 << 20, &dispatches);
+            let dispatches = StageDispatches { sort: 0, raster: 0 };
+            self.counters = plan.counters(&dispatches);
             self.device_state.key_count = Some(schedule.key_count);
             schedule
         }

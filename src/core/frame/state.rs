@@ -2,22 +2,26 @@
 //! them has to compute again, and what they share.
 
 use super::{
-    AvatarChanges, ChangeTracker, Counters, RendererOptions, Skinning, Skip,
+    AvatarChanges, AvatarId, ChangeTracker, Counters, RendererOptions, Skinning, Skip,
     atlas::{Arrangement, AtlasSlot, AvatarFootprint, LevelInput, arrange},
     capacity::{Capacity, Portion, PosePlaces},
     changes::AvatarView,
     damage::{Damage, regions_around},
+    people::PlannedPerson,
 };
 use crate::avatar::{Level, LowPass};
-use crate::scene::{
-    AvatarBounds, Camera, PartDependencies, PartSet, PixelRect, Posed, Visible,
-    supersampling::low_pass,
-};
+use crate::scene::{Camera, PartSet, PixelRect, Posed, Visible, supersampling::low_pass};
 
 /// An avatar in view.
 pub struct AvatarInstance<'a> {
-    /// Index of its pose in [`PlanInput::poses`], by which the renderer finds its buffers.
+    /// Index among [`PlanInput::people`], by which the renderer finds its buffers.
     pub index: usize,
+    /// Whose looks it has.
+    pub avatar: AvatarId,
+    /// Whether its colours come from spherical harmonics.
+    pub has_sh: bool,
+    /// Gaussians that it has, of which [`Self::gaussians`] are drawn.
+    pub all_gaussians: u32,
     /// Its evaluated pose.
     pub posed: &'a Posed,
     /// The camera that sees it in the image that its layer is drawn into.
@@ -121,8 +125,10 @@ pub struct FramePlan<'a> {
     pub atlas: Option<Atlas<'a>>,
     /// Whether project, sort and raster run: something in the image has changed.
     pub redraw: bool,
-    /// Avatars in the scene, in view or not.
-    pub avatar_count: usize,
+    /// People in the scene, in view or not.
+    pub people: usize,
+    /// Gaussians of all of them.
+    pub gaussians: u64,
     /// A rectangle of the image around all that is drawn; the whole image without
     /// [`Skip::DAMAGE`]. Splats that correctives move further than [`AvatarBounds::visible`] allows
     /// for are cut off there, in every frame alike; by tiles at the regions around it.
@@ -132,14 +138,10 @@ pub struct FramePlan<'a> {
 /// Everything that the plan of the next frame depends on.
 #[derive(Clone, Copy)]
 pub struct PlanInput<'a, 'pose> {
-    /// One pose an avatar, at most [`RendererOptions::instances`].
-    pub poses: &'a [&'pose Posed],
+    /// Everybody, at most [`RendererOptions::instances`].
+    pub people: &'a [PlannedPerson<'a, 'pose>],
     /// The camera of the frame.
     pub camera: &'a Camera,
-    /// The avatar's bounds.
-    pub bounds: &'a AvatarBounds,
-    /// Which parts' networks each part depends on.
-    pub dependencies: &'a PartDependencies,
     /// The renderer's options.
     pub options: &'a RendererOptions,
     /// How much the renderer's buffers can hold.
@@ -148,12 +150,9 @@ pub struct PlanInput<'a, 'pose> {
     pub always_submit: bool,
 }
 
-/// Whether a renderer has the optional stage of spherical harmonics, and the compute dispatches
-/// of a frame that are not for each avatar.
+/// The compute dispatches of a frame that are not for each avatar.
 #[derive(Clone, Copy, Debug)]
 pub struct StageDispatches {
-    /// Whether colours come from spherical harmonics.
-    pub has_sh: bool,
     /// Dispatches of the sorts.
     pub sort: u64,
     /// Dispatches of the rasterizer.
@@ -163,16 +162,24 @@ pub struct StageDispatches {
 /// The state that the last frame left. A renderer keeps one and asks it for the plan of each frame.
 #[derive(Clone, Default)]
 pub struct FrameState {
-    /// One an avatar, in the order of the poses.
-    trackers: Vec<ChangeTracker>,
+    /// One a person, in their order.
+    trackers: Vec<PersonTracker>,
     pose_places: PosePlaces,
-    /// Indices of the avatars that the last frame drew; None before the first.
+    /// Indices of the people that the last frame drew; None before the first.
     last_drawn: Option<Vec<usize>>,
+}
+
+/// Remembers a person of the last frame.
+#[derive(Clone, Default)]
+struct PersonTracker {
+    /// Whose looks; None before the first frame.
+    avatar: Option<AvatarId>,
+    changes: ChangeTracker,
 }
 
 /// An avatar in view, before it is known which image it is drawn into.
 struct VisibleAvatar {
-    /// Index of its pose.
+    /// Index among the people.
     index: usize,
     /// Where it is.
     visible: Visible,
@@ -219,7 +226,15 @@ impl FrameState {
             camera, options, ..
         } = input;
         self.trackers
-            .resize(options.instances, ChangeTracker::default());
+            .resize(options.instances, PersonTracker::default());
+        for (tracker, person) in self.trackers.iter_mut().zip(input.people) {
+            if tracker.avatar != Some(person.avatar) {
+                *tracker = PersonTracker {
+                    avatar: Some(person.avatar),
+                    changes: ChangeTracker::default(),
+                };
+            }
+        }
         let mut avatars = self.visible_avatars(&input);
         let drawn_rect = drawn_rect(&input, &avatars);
         let arrangement = arrangement(&input, &avatars);
@@ -244,7 +259,12 @@ impl FrameState {
             image,
             atlas,
             redraw,
-            avatar_count: input.poses.len(),
+            people: input.people.len(),
+            gaussians: input
+                .people
+                .iter()
+                .map(|person| person.traits.bounds.gaussians() as u64)
+                .sum(),
             drawn_rect,
         }
     }
@@ -252,14 +272,15 @@ impl FrameState {
     /// The avatars in view: all of them without [`Skip::AVATARS`].
     fn visible_avatars(&self, input: &PlanInput) -> Vec<VisibleAvatar> {
         let PlanInput {
+            people,
             camera,
-            bounds,
             options,
             ..
         } = input;
         let skip_outside = options.skip.contains(Skip::AVATARS);
-        let mut avatars = Vec::with_capacity(input.poses.len());
-        for (index, posed) in input.poses.iter().enumerate() {
+        let mut avatars = Vec::with_capacity(people.len());
+        for (index, PlannedPerson { traits, posed, .. }) in people.iter().enumerate() {
+            let bounds = &traits.bounds;
             if skip_outside && bounds.is_outside(&posed.joints, camera) {
                 continue;
             }
@@ -270,7 +291,7 @@ impl FrameState {
             let footprint = options.supersampling.is_on().then(|| {
                 let level_input = LevelInput {
                     supersampling: options.supersampling,
-                    before: self.trackers[index].near(),
+                    before: self.trackers[index].changes.near(),
                     coarser: options.detail.coarser,
                 };
                 AvatarFootprint::new(bounds, &visible, level_input)
@@ -298,7 +319,11 @@ impl FrameState {
             .map(|(number, avatar)| self.portion(input, avatar, arrangement.slot(number)))
             .collect();
         let side = |number: usize| avatars[number].visible.longest_side();
-        input.capacity.fit(&mut portions, side, input.bounds);
+        let bounds: Vec<_> = avatars
+            .iter()
+            .map(|avatar| &input.people[avatar.index].traits.bounds)
+            .collect();
+        input.capacity.fit(&mut portions, side, &bounds);
         portions
     }
 
@@ -311,9 +336,10 @@ impl FrameState {
         slot: Option<&AtlasSlot>,
     ) -> Portion {
         let PlanInput {
-            bounds, options, ..
+            people, options, ..
         } = input;
-        let tracker = &self.trackers[avatar.index];
+        let bounds = &people[avatar.index].traits.bounds;
+        let tracker = &self.trackers[avatar.index].changes;
         // Levels are for what is small, at several samples a pixel.
         if let (Some(slot), Some(footprint)) = (slot, avatar.footprint) {
             let chosen = footprint.chosen_for(bounds, slot.factor);
@@ -377,9 +403,7 @@ impl FrameState {
         portion: Portion,
         placement: Placement,
     ) -> AvatarInstance<'pose> {
-        let PlanInput {
-            bounds, options, ..
-        } = input;
+        let options = input.options;
         let VisibleAvatar {
             index,
             visible,
@@ -393,7 +417,17 @@ impl FrameState {
             cache_start,
         } = placement;
         let Portion { model, level } = portion;
-        let posed = input.poses[index];
+        let PlannedPerson {
+            avatar,
+            traits,
+            posed,
+        } = input.people[index];
+        let bounds = &traits.bounds;
+        let mut skip = options.skip;
+        if traits.has_sh {
+            // Colours that change with the view can't come from a pose cache.
+            skip -= Skip::SKINNING;
+        }
         let visible_parts = options.skip.contains(Skip::PARTS).then_some(visible.parts);
         let samples = slot.map_or(1.0, |slot| slot.factor);
         let view = AvatarView {
@@ -403,11 +437,11 @@ impl FrameState {
             slot: slot.copied(),
             cache_start,
         };
-        let changes = self.trackers[index].update(posed, &view, options.skip);
+        let changes = self.trackers[index].changes.update(posed, &view, skip);
         // The pose cache needs all parts: other cameras will see them.
         let culled_parts = match visible_parts {
             Some(visible) if changes.skinning != Skinning::ComputeAndStore => {
-                input.dependencies.all() - visible
+                traits.dependencies.all() - visible
             }
             _ => PartSet::EMPTY,
         };
@@ -418,6 +452,9 @@ impl FrameState {
         };
         AvatarInstance {
             index,
+            avatar,
+            has_sh: traits.has_sh,
+            all_gaussians: bounds.gaussians() as u32,
             posed,
             camera,
             slot: slot.map(AtlasSlot::rect),
@@ -450,7 +487,7 @@ impl FrameState {
         if redraw {
             for (index, tracker) in self.trackers.iter_mut().enumerate() {
                 if in_view.binary_search(&index).is_err() {
-                    tracker.mark_absent();
+                    tracker.changes.mark_absent();
                 }
             }
         }
@@ -462,10 +499,10 @@ impl FrameState {
     fn schedule_networks(&mut self, input: &PlanInput, placed: &mut PlacedAvatars, redraw: bool) {
         self.place_poses(placed, input.capacity.posed);
         for instance in placed.all_mut() {
-            let tracker = &mut self.trackers[instance.index];
+            let tracker = &mut self.trackers[instance.index].changes;
             instance.networks = tracker.schedule_networks(
                 &instance.changes,
-                input.dependencies,
+                &input.people[instance.index].traits.dependencies,
                 instance.visible_parts.as_ref(),
                 instance.correctives,
             );
@@ -485,7 +522,7 @@ impl FrameState {
         for (instance, place) in posed.into_iter().zip(places) {
             instance.pose_place = place.number;
             if place.is_new {
-                self.trackers[instance.index].lose_networks();
+                self.trackers[instance.index].changes.lose_networks();
             }
         }
     }
@@ -519,19 +556,19 @@ impl<'a> FramePlan<'a> {
             && instances.any(|instance| instance.changes.skinning == Skinning::ComputeAndStore)
     }
 
-    /// The counts that are known before the frame is drawn. `gaussians`: how many one avatar has.
-    pub fn counters(&self, gaussians: u32, stages: &StageDispatches) -> Counters {
-        let avatars = self.avatar_count as u64;
+    /// The counts that are known before the frame is drawn.
+    pub fn counters(&self, stages: &StageDispatches) -> Counters {
+        let avatars = self.people as u64;
         let drawn = self.instances().count() as u64;
         let mut counters = Counters {
             avatars,
             avatars_culled: avatars - drawn,
-            gaussians: avatars * u64::from(gaussians),
+            gaussians: self.gaussians,
             submitted: 1,
             ..Counters::default()
         };
         for instance in self.instances() {
-            counters.skipped_by_detail += u64::from(gaussians - instance.gaussians);
+            counters.skipped_by_detail += u64::from(instance.all_gaussians - instance.gaussians);
             counters.supersampled += u64::from(instance.slot.is_some());
             counters.longest_side = counters.longest_side.max(instance.side.ceil() as u64);
             counters.most_samples = counters.most_samples.max(instance.samples.ceil() as u64);
@@ -546,8 +583,9 @@ impl<'a> FramePlan<'a> {
             }
         }
         if self.redraw {
-            // Project, and sh where colours depend on the view, run once an avatar.
-            counters.dispatches += drawn * (1 + u64::from(stages.has_sh));
+            // Project, and sh where colours depend on the view, run once a person.
+            let with_sh = self.instances().filter(|instance| instance.has_sh).count();
+            counters.dispatches += drawn + with_sh as u64;
             counters.dispatches += stages.sort + stages.raster;
             if let Some(atlas) = &self.atlas {
                 counters.atlas = PixelRect::whole(atlas.layer.size).pixels();
@@ -569,9 +607,8 @@ fn drawn_rect(input: &PlanInput, avatars: &[VisibleAvatar]) -> PixelRect {
         return whole;
     }
     let around = |avatar: &VisibleAvatar| {
-        let has_margin = input
-            .bounds
-            .has_margin_for(&input.poses[avatar.index].input);
+        let person = &input.people[avatar.index];
+        let has_margin = person.traits.bounds.has_margin_for(&person.posed.input);
         if has_margin {
             avatar.visible.rect
         } else {

@@ -1,11 +1,11 @@
 //! Validation before anything reaches the device: options, poses and cameras that can't be drawn
 //! are rejected.
 
-use super::{RendererOptions, Unusable};
+use super::{RendererOptions, Unusable, people::PlannedPerson};
 use crate::{
     avatar::Filter,
     constants::ALPHA_MIN,
-    scene::{AvatarBounds, Camera, PoseShape, Posed},
+    scene::{Camera, PoseShape, Posed},
 };
 
 /// Maximum number of avatars in a scene.
@@ -53,16 +53,14 @@ impl RendererOptions {
     }
 }
 
-/// Checks that a frame can be drawn: `poses` of the avatar with these bounds, seen by `camera`, by
-/// a renderer with these options.
+/// Checks that a frame can be drawn: people, seen by `camera`, by a renderer with these options.
 ///
 /// # Errors
 /// When a number can't be drawn, the camera's image has another size than the renderer's, a pose
-/// has another shape than the avatar, or there are more poses than [`RendererOptions::instances`].
+/// has another shape than the avatar, or there are more people than [`RendererOptions::instances`].
 pub fn frame(
-    poses: &[&Posed],
+    people: &[PlannedPerson],
     camera: &Camera,
-    bounds: &AvatarBounds,
     options: &RendererOptions,
 ) -> Result<(), Unusable> {
     camera.check()?;
@@ -74,19 +72,19 @@ pub fn frame(
             format!("{}, the renderer's", pixels(options.size)),
         ));
     }
-    if poses.len() > options.instances {
+    if people.len() > options.instances {
         return Err(unusable(
             "the number of avatars",
-            poses.len(),
+            people.len(),
             format!(
                 "at most {}, as the renderer was made for",
                 options.instances
             ),
         ));
     }
-    for posed in poses {
-        posed.check()?;
-        check_shape(posed, bounds.pose_shape())?;
+    for person in people {
+        person.posed.check()?;
+        check_shape(person.posed, person.traits.bounds.pose_shape())?;
     }
     Ok(())
 }

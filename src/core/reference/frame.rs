@@ -98,10 +98,34 @@ pub fn stored(avatar: &Avatar, posed: &Posed) -> (Avatar, Vec<f64>, Vec<Gaussian
     (stored, features, gaussians)
 }
 
-/// The image of one avatar in several poses, sorted together.
-pub fn render_scene(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> FrameImage {
-    let gaussians = gaussians_of(avatar, instances, camera);
-    render_gaussians(&gaussians, camera, avatar.filter)
+/// A person of a frame: an avatar in a pose.
+#[derive(Clone, Copy)]
+pub struct Person<'a> {
+    /// Whose looks.
+    pub avatar: &'a Avatar,
+    /// The evaluated pose, of that avatar.
+    pub posed: &'a Posed,
+}
+
+/// People of one avatar.
+pub fn people<'a>(avatar: &'a Avatar, poses: &[&'a Posed]) -> Vec<Person<'a>> {
+    let person = |&posed| Person { avatar, posed };
+    poses.iter().map(person).collect()
+}
+
+/// The image of people, sorted together, each with `filter` or the low-pass of its avatar.
+pub fn render_scene(people: &[Person], camera: &Camera, filter: Option<Filter>) -> FrameImage {
+    let splats = people.iter().flat_map(|person| {
+        let gaussians = gaussians_of(person.avatar, &[person.posed], camera);
+        project::splats(
+            &gaussians,
+            camera,
+            filter.unwrap_or(person.avatar.filter),
+            0,
+        )
+    });
+    let splats: Vec<_> = splats.collect();
+    raster::raster(&splats, &sort::order(&splats), camera).to_image()
 }
 
 /// The Gaussians of one avatar in several poses, with the colours that the camera sees.
@@ -116,7 +140,8 @@ pub fn gaussians_of(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> V
         .collect()
 }
 
-/// What the area of each pixel shows: the image of [`render_scene`], drawn `factor` times as large,
+/// What the area of each pixel shows: the image of one avatar in
+/// several poses, drawn `factor` times as large,
 /// at least 1, with a low-pass, and averaged.
 pub fn render_supersampled(
     avatar: &Avatar,

@@ -20,8 +20,8 @@ pub mod sort;
 pub mod surface;
 
 pub use frame::{
-    ReferenceFrame, average_of, drawn_rect, gaussians_of, render, render_gaussians, render_scene,
-    render_sorted, render_stored, render_supersampled, stored,
+    Person, ReferenceFrame, average_of, drawn_rect, gaussians_of, people, render, render_gaussians,
+    render_scene, render_sorted, render_stored, render_supersampled, stored,
 };
 pub use project::{Culled, Gaussian, Splat};
 pub use raster::Canvas;

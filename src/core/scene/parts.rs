@@ -90,6 +90,7 @@ impl Sub for PartSet {
 }
 
 /// The parts whose networks each part of an avatar depends on.
+#[derive(Clone, Debug)]
 pub struct PartDependencies {
     /// For each part: itself, and the parts of the nodes that its Gaussians follow. Empty for a
     /// part without Gaussians.

@@ -214,8 +214,7 @@ impl CaseOutcome {
             self.used_cached = Some(used);
         }
         let reference = reference::render_shown(
-            &case.avatar,
-            &[&case.posed],
+            &reference::people(&case.avatar, &[&case.posed]),
             &case.camera,
             case.options.supersampling,
             case.options.filter,

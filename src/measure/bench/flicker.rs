@@ -19,9 +19,12 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::{FrameState, PlanInput, RendererOptions, capacity::Capacity},
+    frame::{
+        AvatarId, AvatarTraits, FrameState, PlanInput, RendererOptions, capacity::Capacity,
+        people::PlannedPerson,
+    },
     reference::{self, Gaussian, Sorting, SurfaceView},
-    scene::{AvatarBounds, PartDependencies, PixelRect},
+    scene::{AvatarBounds, PixelRect},
 };
 use std::{
     collections::{BTreeSet, HashMap, VecDeque},
@@ -258,17 +261,20 @@ fn shown(
     scenes: &[BenchScene],
     options: &RendererOptions,
 ) -> Vec<Shown> {
-    let dependencies = PartDependencies::new(avatar);
+    let traits = AvatarTraits::new(avatar, bounds.clone());
     let mut state = FrameState::default();
     let mut plan = |scene: &BenchScene| {
-        let poses: Vec<_> = scene.instances.iter().map(|own| &own.drawn).collect();
+        let people = scene.instances.iter().map(|own| PlannedPerson {
+            avatar: AvatarId::FIRST,
+            traits: &traits,
+            posed: &own.drawn,
+        });
+        let people: Vec<_> = people.collect();
         let plan = state.plan(PlanInput {
-            poses: &poses,
+            people: &people,
             camera: &scene.camera,
-            bounds,
-            dependencies: &dependencies,
             options,
-            capacity: Capacity::unlimited(poses.len()),
+            capacity: Capacity::unlimited(people.len()),
             always_submit: false,
         });
         Shown {

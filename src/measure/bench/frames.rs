@@ -11,8 +11,8 @@ use crate::{
 use effigy_core::{
     avatar::Avatar,
     constants::ALPHA_MIN,
-    frame::{FrameReport, RendererOptions},
-    scene::{FrameImage, Posed},
+    frame::{FrameReport, Person, RendererOptions},
+    scene::FrameImage,
 };
 use effigy_render::vulkan::{self, FRAMES_IN_FLIGHT, GpuOptions, sort::choice};
 #[cfg(feature = "webgpu")]
@@ -206,11 +206,12 @@ impl BenchRenderer {
     /// # Errors
     /// When the device fails.
     pub fn draw(&mut self, scene: &BenchScene) -> Result<()> {
-        let shown: Vec<&Posed> = scene.instances.iter().map(|own| &own.drawn).collect();
+        let people = scene.instances.iter().map(|own| Person::from(&own.drawn));
+        let people: Vec<_> = people.collect();
         match self {
-            Self::Vulkan(renderer) => renderer.draw_scene(&shown, &scene.camera, None)?,
+            Self::Vulkan(renderer) => renderer.draw_scene(&people, &scene.camera, None)?,
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(renderer) => drop(renderer.draw_scene(&shown, &scene.camera)?),
+            Self::WebGpu(renderer) => drop(renderer.draw_scene(&people, &scene.camera)?),
         }
         Ok(())
     }

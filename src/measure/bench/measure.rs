@@ -183,7 +183,8 @@ impl<'a> CaseReference<'a> {
             if factor > 1 {
                 reference::render_supersampled(avatar, &poses, camera, factor, avatar.filter)
             } else {
-                reference::render_shown(avatar, &poses, camera, supersampling, options.filter)
+                let people = reference::people(avatar, &poses);
+                reference::render_shown(&people, camera, supersampling, options.filter)
             }
         })
     }

@@ -215,7 +215,8 @@ fn drift(task: &SoakTask, renderer: &mut SoakRenderer, before: &Copied) -> Resul
     let (posed, camera) = middle_frame(task.avatar, task.player, size);
     let options = &task.setting.options;
     let (supersampling, filter) = (options.supersampling, options.filter);
-    let reference = reference::render_shown(task.avatar, &[&posed], &camera, supersampling, filter);
+    let people = reference::people(task.avatar, &[&posed]);
+    let reference = reference::render_shown(&people, &camera, supersampling, filter);
     let error = |image: &FrameImage| ErrorReport::new(&error::between(image, &reference), None);
     Ok(Drift {
         before: error(&before),

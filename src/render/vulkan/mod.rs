@@ -1,6 +1,6 @@
 //! The stages on the GPU, on Vulkan 1.1 and what each device has beyond it.
 //!
-//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless.
+//! [`Gpu`] is a device; [`Renderer`] draws people with it, headless.
 //!
 //! The folders are layers; each imports only folders above it in this list. What other programs
 //! call of those without a link is re-exported here:

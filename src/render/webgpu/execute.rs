@@ -4,17 +4,15 @@
 use super::{
     device::Gpu,
     frame_in_flight::{FrameInFlight, Writes},
-    kernel::{Blocks, block_offset},
-    mlp::Mlp,
-    project::Project,
-    raster::{Draw, Raster},
-    sh::SphericalHarmonics,
-    sort::Sort,
+    held::HeldAvatar,
+    kernel::block_offset,
+    raster::Draw,
+    shared::SharedStages,
 };
 use bytemuck::bytes_of;
 use effigy_core::{
     frame::{
-        FramePlan, FrameSchedule,
+        AvatarId, ByAvatar, FramePlan, FrameSchedule,
         passes::{Pass, RenderTarget},
         schedule::{ScheduleStep, ScheduledStage},
     },
@@ -27,13 +25,8 @@ const SCHEDULED: &str = "a renderer schedules only stages that it has";
 /// What passes are recorded with: a renderer's stages, and where a frame's data lies.
 pub struct Executor<'a> {
     pub gpu: &'a Gpu,
-    pub mlp: &'a Mlp,
-    pub sh: Option<&'a SphericalHarmonics>,
-    pub project: &'a Project,
-    pub sort: &'a Sort,
-    pub raster: &'a Raster,
-    pub control: &'a wgpu::Buffer,
-    pub blocks: &'a Blocks,
+    pub avatars: &'a ByAvatar<HeldAvatar>,
+    pub shared: &'a SharedStages,
     pub plan: &'a FramePlan<'a>,
     /// The draw into the frame's image.
     pub image: Draw<'a>,
@@ -88,6 +81,12 @@ impl Executor<'_> {
         encoder: &mut wgpu::CommandEncoder,
         schedule: &FrameSchedule,
     ) {
+        let SharedStages {
+            control,
+            splats,
+            blocks,
+            ..
+        } = self.shared;
         let mut is_second = false;
         for step in &schedule.steps {
             match step {
@@ -95,12 +94,12 @@ impl Executor<'_> {
                 ScheduleStep::Command(command) => match command.pass() {
                     // It stands between the layers.
                     Some(Pass::KeepCounts) => {
-                        in_flight.keep_counts(encoder, self.control, self.project);
-                        self.blocks.second_settings(encoder);
+                        in_flight.keep_counts(encoder, control, splats);
+                        blocks.second_settings(encoder);
                         is_second = true;
                     }
                     Some(Pass::SetKeyCount { .. }) if is_second => {
-                        self.blocks.second_control(encoder, self.control);
+                        blocks.second_control(encoder, control);
                     }
                     Some(pass) => self.encode(encoder, pass),
                     None => {}
@@ -143,6 +142,11 @@ impl Executor<'_> {
         }
     }
 
+    /// An avatar and its kernels.
+    fn held(&self, avatar: AvatarId) -> &HeldAvatar {
+        self.avatars.get(avatar).expect(SCHEDULED)
+    }
+
     /// The draw into a layer's image.
     fn draw(&self, target: RenderTarget) -> &Draw<'_> {
         match target {
@@ -157,9 +161,9 @@ impl Executor<'_> {
                 // Before all that the encoder holds, and after the frames before.
                 self.gpu
                     .queue
-                    .write_buffer(self.control, 0, bytes_of(&control(keys)));
+                    .write_buffer(&self.shared.control, 0, bytes_of(&control(keys)));
             }
-            Pass::ClearCounts => self.project.clear(encoder),
+            Pass::ClearCounts => self.shared.splats.clear(encoder),
             // The counts are copied where the frame is submitted.
             Pass::ReadCounts => {}
             Pass::KeepCounts
@@ -184,52 +188,60 @@ impl Executor<'_> {
         pass: &Pass,
         writes: Writes,
     ) {
+        let raster = &self.shared.raster;
         match pass {
             Pass::Bin { target } => {
                 let draw = self.draw(*target);
-                self.raster.record_bins(in_flight, encoder, draw, writes);
+                raster.record_bins(in_flight, encoder, draw, writes);
             }
             Pass::RasterQuads { tested, target } => {
                 let draw = self.draw(*target);
-                self.raster
-                    .record_quads(in_flight, encoder, draw, self.control, *tested, writes);
+                let control = &self.shared.control;
+                raster.record_quads(in_flight, encoder, draw, control, *tested, writes);
             }
             Pass::Resolve { clear } => {
                 let slots = &self.plan.atlas.as_ref().expect(SCHEDULED).slots;
-                self.raster
-                    .record_resolve(in_flight, encoder, &self.image, slots, *clear, writes);
+                raster.record_resolve(in_flight, encoder, &self.image, slots, *clear, writes);
             }
             _ => unreachable!("{pass:?} has no passes of its own: `place` says so"),
         }
     }
 
     fn dispatch(&self, compute: &mut wgpu::ComputePass, pass: &Pass) {
+        let SharedStages { sort, raster, .. } = self.shared;
         match *pass {
-            Pass::Mlp { instance, parts } => {
-                self.mlp.record(compute, block_offset(instance), parts);
+            Pass::Mlp {
+                instance,
+                avatar,
+                parts,
+            } => {
+                let mlp = &self.held(avatar).mlp;
+                mlp.record(compute, block_offset(instance), parts);
             }
             Pass::Sh {
                 instance,
+                avatar,
                 model,
                 gaussians,
             } => {
-                let sh = self.sh.expect(SCHEDULED);
+                let sh = self.held(avatar).sh.as_ref().expect(SCHEDULED);
                 sh.record(compute, block_offset(instance), model, gaussians);
             }
             Pass::Project {
                 instance,
+                avatar,
                 model,
                 gaussians,
                 skinning,
             } => {
+                let project = &self.held(avatar).project;
                 let block = block_offset(instance);
-                self.project
-                    .record(compute, block, model, gaussians, skinning);
+                project.record(compute, block, model, gaussians, skinning);
             }
-            Pass::Sort => self.sort.record(compute),
-            Pass::Saturation => self.raster.record_saturation(compute, &self.image),
+            Pass::Sort => sort.record(compute),
+            Pass::Saturation => raster.record_saturation(compute, &self.image),
             Pass::RasterTiles { target, .. } => {
-                self.raster.record_tiles(compute, self.draw(target));
+                raster.record_tiles(compute, self.draw(target));
             }
             _ => unreachable!("{pass:?} is no kernel: `place` says so"),
         }

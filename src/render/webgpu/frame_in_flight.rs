@@ -6,7 +6,7 @@ use super::{
     device::Gpu,
     error::Result,
     owned::{Buffer, Owned, QuerySet},
-    project::Project,
+    splat_buffer::SplatBuffer,
 };
 use effigy_core::{
     frame::{Counters, CullReasons, FrameReport, Stage, report::STAGES},
@@ -231,7 +231,7 @@ impl FrameInFlight {
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
         control: &wgpu::Buffer,
-        splats: &Project,
+        splats: &SplatBuffer,
     ) {
         let start = self.kept_layers * LAYER_COUNTS;
         self.kept_layers += 1;
@@ -255,7 +255,7 @@ impl FrameInFlight {
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
         control: &wgpu::Buffer,
-        splats: &Project,
+        splats: &SplatBuffer,
     ) {
         self.keep_counts(&mut encoder, control, splats);
         if let Some((set, resolved)) = self.queries.as_ref().filter(|_| !self.marked.is_empty()) {

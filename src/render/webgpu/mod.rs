@@ -1,7 +1,7 @@
 //! The stages on the GPU, on WebGPU with its default limits: in browsers, and natively where the
 //! feature `webgpu` is on.
 //!
-//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it. The stages
+//! [`Gpu`] is a device; [`Renderer`] draws people with it. The stages
 //! have a file each, in the order a frame runs them. Nothing here waits on the device but what says
 //! so, and that only natively and for a bounded time.
 
@@ -13,6 +13,7 @@ mod drawing;
 pub mod error;
 mod execute;
 mod frame_in_flight;
+mod held;
 mod kernel;
 mod mlp;
 mod model;
@@ -25,7 +26,9 @@ mod raster;
 pub mod readback;
 pub mod renderer;
 mod sh;
+mod shared;
 mod sort;
+mod splat_buffer;
 mod stacked;
 
 pub use device::Gpu;

@@ -7,9 +7,8 @@ use super::{
 };
 use crate::quirks::draws_triangles;
 use effigy_core::{
-    avatar::Avatar,
     frame::{RasterMethod, RendererOptions, Skip, SortVariant, capacity::Capacity},
-    scene::{AvatarBounds, Supersampling},
+    scene::Supersampling,
 };
 
 /// Options with every open choice made for a device, and without skips that this backend or the
@@ -54,11 +53,11 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     }
 }
 
-/// Resolved options for an avatar.
+/// Resolved options.
 ///
 /// # Errors
 /// When this backend can't draw with them.
-pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<RendererOptions> {
+pub fn accepted(gpu: &Gpu, options: RendererOptions) -> Result<RendererOptions> {
     options.check()?;
     if options.sort == Some(SortVariant::OneSweep) {
         return Err(Error::Sort);
@@ -66,20 +65,14 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     if options.method == Some(RasterMethod::CooperativeTiles) {
         return Err(Error::CooperativeTiles);
     }
-    let mut options = resolved(gpu, options);
-    // Where colours change with the view, poses are not cached.
-    if avatar.sh.is_some() {
-        options.skip -= Skip::SKINNING;
-    }
-    Ok(options)
+    Ok(resolved(gpu, options))
 }
 
-/// The capacity of a renderer.
+/// Checks the capacity of a renderer.
 ///
 /// # Errors
-/// When it is too small for the avatars, or too large for the sort.
-pub fn capacity(gpu: &Gpu, options: &RendererOptions, bounds: &AvatarBounds) -> Result<Capacity> {
-    let capacity = Capacity::new(options, bounds)?;
+/// When it is too large for the sort.
+pub fn check_capacity(gpu: &Gpu, capacity: Capacity) -> Result<()> {
     let [found, limit] = [capacity.gaussians, sort::MAX_KEYS].map(|keys| 4 * u64::from(keys));
     if found > limit {
         return Err(Error::TooLarge {
@@ -89,5 +82,5 @@ pub fn capacity(gpu: &Gpu, options: &RendererOptions, bounds: &AvatarBounds) -> 
             device: gpu.name().into(),
         });
     }
-    Ok(capacity)
+    Ok(())
 }

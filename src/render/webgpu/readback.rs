@@ -1,10 +1,12 @@
 //! Functions that wait for the device, for programs outside of browsers: they finish frames, and
 //! read back images and the stages' buffers.
 
+use super::shared::SharedStages;
 use super::{
     buffer, download, error::Result, frame_in_flight::FRAMES_IN_FLIGHT, renderer::Renderer,
 };
 use effigy_core::{
+    frame::AvatarId,
     layout::{BinLists, Control},
     scene::FrameImage,
 };
@@ -49,7 +51,7 @@ impl Renderer {
     /// When the device is lost or hangs.
     pub fn read_image(&mut self) -> Result<FrameImage> {
         self.finish()?;
-        download::read_image(&self.gpu, &self.raster)
+        download::read_image(&self.gpu, &self.shared.raster)
     }
 
     /// Waits, and copies the saturation depth of each sample of the last frame and the colour there
@@ -61,7 +63,7 @@ impl Renderer {
     pub fn saturation_samples(&mut self) -> Result<Option<Vec<u32>>> {
         self.finish()?;
         let read = |samples| download::texels(&self.gpu, samples, 4);
-        let bytes = self.raster.samples().map(read).transpose()?;
+        let bytes = self.shared.raster.samples().map(read).transpose()?;
         Ok(bytes.map(|bytes| bytemuck::pod_collect_to_vec(&bytes)))
     }
 
@@ -72,7 +74,7 @@ impl Renderer {
     /// When the device is lost or hangs.
     pub fn bin_lists(&mut self) -> Result<Option<BinLists>> {
         self.finish()?;
-        self.raster.bin_lists(&self.gpu)
+        self.shared.raster.bin_lists(&self.gpu)
     }
 
     /// Waits, and copies every stage's output of the last frame to the host.
@@ -82,22 +84,31 @@ impl Renderer {
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
         let download = |slice| buffer::download(&self.gpu, slice);
-        let constants = self.model.constants(0);
+        let held = self.avatars.get(AvatarId::FIRST);
+        let model = &held
+            .expect("tests keep the avatar that it was made with")
+            .model;
+        let SharedStages {
+            splats,
+            sort,
+            pose,
+            control,
+            ..
+        } = &self.shared;
+        let constants = model.constants(0);
         let features = 16 * (constants.parts * constants.feature_quads) as usize;
-        let pose = download((&self.pose).into())?;
+        let pose = download(pose.into())?;
         let nodes: Vec<[f16; 4]> =
             bytemuck::pod_collect_to_vec(&pose[features..][..8 * constants.nodes as usize]);
-        let control: Control = bytemuck::pod_read_unaligned(
-            &download((&self.control).into())?[..size_of::<Control>()],
-        );
+        let control: Control =
+            bytemuck::pod_read_unaligned(&download(control.into())?[..size_of::<Control>()]);
         let count = control.key_count as usize;
-        let splats = download(self.project.all())?;
-        let keys = download(self.project.keys())?;
-        let order = download(self.sort.order())?;
+        let keys = download(splats.keys())?;
+        let splats = download(splats.all())?;
+        let order = download(sort.order())?;
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: self
-                .model
+            nodes: model
                 .node_places
                 .iter()
                 .map(|&place| nodes[usize::from(place)].map(f16::to_f32))

@@ -1,63 +1,52 @@
-//! Draws an avatar, or several copies of it in one scene: poses and a camera go in, an image on the
-//! device comes out. [`FrameSchedule::new`] says what a frame runs, `execute.rs` records it.
+//! Draws people: avatars, who of them stands where, and a camera go in, an image on the device comes
+//! out. [`FrameSchedule::new`] says what a frame runs, `execute.rs` records it.
 
 use super::{
-    buffer::{STORAGE, empty},
     device::Gpu,
     error::Result,
     execute::{Executor, control},
     frame_in_flight::{FRAMES_IN_FLIGHT, FrameInFlight},
-    kernel::{Blocks, block_offset},
-    mlp::Mlp,
+    held::{HeldAvatar, traits_of},
+    kernel::block_offset,
     model::{self, Model},
-    options::{accepted, capacity},
-    owned::Buffer,
-    project::Project,
-    raster::{Draw, Raster, RasterInputs},
+    options::accepted,
+    raster::Draw,
     sh::SphericalHarmonics,
-    sort::{self, Sort, SortInputs},
+    shared::SharedStages,
 };
 use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, DEPTH_KEYS, Damage, FrameReport, FrameSchedule, RendererOptions, Skinning, Stage,
-        block::{self, PoseLayout},
+        AvatarId, AvatarTraits, ByAvatar, Counters, Damage, FrameReport, FrameSchedule, Person,
+        RendererOptions, Skinning, Stage,
+        block::{self, SharedSizes},
         capacity::Capacity,
         passes::RenderTarget,
+        people::{PlannedPerson, planned},
         pose_cache::PoseCache,
         schedule::{DeviceState, Equipment},
         state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches},
         validate,
     },
-    layout::{Control, FrameBlock, SORT_TILE, SettingsBlock},
-    scene::{AvatarBounds, Camera, PartDependencies, PixelRect, Posed},
+    layout::{FrameBlock, SORT_TILE, SettingsBlock},
+    scene::{AvatarBounds, Camera, PixelRect, Posed},
 };
 use std::sync::Arc;
 
-/// An avatar on a device, in as many poses as it was made for.
+/// Avatars on a device, and the stages that draw people of them.
 pub struct Renderer {
     pub(super) frames_in_flight: Vec<FrameInFlight>,
-    mlp: Mlp,
-    sh: Option<SphericalHarmonics>,
-    pub(super) project: Project,
-    pub(super) sort: Sort,
-    pub(super) raster: Raster,
-    pub(super) control: Buffer,
-    /// Features, then node displacements, of one avatar after the other; then a vector of zeros.
-    pub(super) pose: Buffer,
-    pub(super) blocks: Blocks,
-    settings: SettingsBlock,
-    /// What is written to an avatar's block.
+    pub(super) avatars: ByAvatar<HeldAvatar>,
+    pub(super) shared: SharedStages,
+    /// Of the avatar that it was made with.
+    bounds: AvatarBounds,
+    /// What is written to a person's block.
     frame: Box<FrameBlock>,
-    pub(super) model: Model,
-    pub(super) avatar_bounds: AvatarBounds,
-    capacity: Capacity,
-    pub(super) needs: PartDependencies,
-    /// One an avatar.
-    pub(super) pose_caches: Vec<PoseCache>,
+    /// One a person.
+    pose_caches: Vec<PoseCache>,
     pub(super) options: RendererOptions,
-    pub(super) state: FrameState,
+    state: FrameState,
     /// Keys that the control says the sort takes; None before the first frame.
     key_count: Option<u32>,
     /// A box around all pixels that the last frames drew; None where they are not known.
@@ -67,31 +56,13 @@ pub struct Renderer {
     pub(super) gpu: Arc<Gpu>,
 }
 
-/// The bounds of an avatar that is drawn with these options.
-fn bounds_of(avatar: &Avatar, options: &RendererOptions) -> AvatarBounds {
-    AvatarBounds::new(avatar).filtered(options.filter)
-}
-
-fn raster_inputs<'a>(
-    project: &'a Project,
-    sort: &'a Sort,
-    control: &'a wgpu::Buffer,
-) -> RasterInputs<'a> {
-    RasterInputs {
-        order: sort.order(),
-        splats: project.all(),
-        control,
-        capacity: project.capacity(),
-    }
-}
-
 impl Renderer {
     /// # Errors
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, or the device's
     /// memory does not suffice.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let mut new = Self::empty(gpu, avatar, options)?;
-        new.write(avatar)?;
+        new.write(AvatarId::FIRST, avatar)?;
         Ok(new)
     }
 
@@ -102,60 +73,28 @@ impl Renderer {
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, or the device is out
     /// of memory.
     pub fn empty(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
-        let options = accepted(gpu, avatar, options)?;
+        let options = accepted(gpu, options)?;
         avatar.check()?;
         let levels = model::levels(avatar);
         let model = Model::empty(gpu, avatar, &levels)?;
-        let avatar_bounds = bounds_of(avatar, &options);
-        let capacity = capacity(gpu, &options, &avatar_bounds)?;
-        let layout = PoseLayout::new(model.constants(0), capacity);
-        let pose = empty(gpu, "pose", 16 * u64::from(layout.total()), STORAGE)?;
-        let control = empty(
-            gpu,
-            "control",
-            size_of::<Control>() as u64,
-            STORAGE | wgpu::BufferUsages::INDIRECT,
-        )?;
-        let blocks = Blocks::new(gpu, options.instances)?;
-        let project = Project::new(gpu, &model, &blocks, &pose, &options, capacity)?;
-        let sort_inputs = SortInputs {
-            bits: DEPTH_KEYS,
-            keys: project.keys(),
-            counts: project.counts(),
-            control: (&control).into(),
-            capacity: project.capacity(),
-            counted: true,
-        };
-        let variant = sort::variant(&options);
-        let sort = Sort::new(gpu, blocks.settings(), &sort_inputs, variant)?;
-        let inputs = raster_inputs(&project, &sort, &control);
-        let raster = Raster::new(gpu, &blocks, inputs, &options)?;
-        let mlp = Mlp::new(gpu, &model, &blocks, &pose);
-        let sh = SphericalHarmonics::new(gpu, avatar, &levels, &model, &blocks, &pose)?;
-        let mut settings = SettingsBlock::default();
-        sort.fill(&mut settings);
-        raster.fill(&mut settings, &options, project.capacity());
+        let traits = traits_of(avatar, &options);
+        let capacity = Capacity::new(&options, &traits.bounds)?;
+        let sizes = SharedSizes::new(std::iter::once(model.constants(0)), capacity);
+        let shared = SharedStages::new(gpu, &options, sizes)?;
+        let bounds = traits.bounds.clone();
+        let frame = Box::new(*model.constants(0));
+        let held = HeldAvatar::new(gpu, avatar, &levels, traits, model, &options, &shared)?;
         let new = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
-            mlp,
-            sh,
-            project,
-            sort,
-            raster,
-            control,
-            pose,
-            blocks,
-            settings,
-            frame: Box::new(*model.constants(0)),
-            avatar_bounds,
-            capacity,
-            needs: PartDependencies::new(avatar),
+            avatars: ByAvatar::new(held),
+            shared,
+            bounds,
+            frame,
             pose_caches: (0..options.instances)
                 .map(|_| PoseCache::default())
                 .collect(),
-            model,
             options,
             state: FrameState::default(),
             key_count: None,
@@ -168,117 +107,158 @@ impl Renderer {
         Ok(new)
     }
 
-    /// Fills the buffers that [`Self::empty`] made for this avatar. It may have spherical
-    /// harmonics: [`Self::empty`] has uploaded those. False, and nothing has changed, where its
-    /// arrays have other lengths.
+    /// Holds another avatar from now on, of which people can be drawn. A browser compiles its
+    /// kernels on other threads: meanwhile call [`Self::upload`] with what this returns; nobody of
+    /// it may be drawn before that. Adding one twice takes its memory twice: people of one avatar
+    /// share it.
+    ///
+    /// # Errors
+    /// When [`Avatar::check`] finds a fault, or the device is lost or out of memory.
+    pub fn add_avatar(&mut self, avatar: &Avatar) -> Result<AvatarId> {
+        avatar.check()?;
+        let levels = model::levels(avatar);
+        let model = Model::empty(&self.gpu, avatar, &levels)?;
+        let traits = traits_of(avatar, &self.options);
+        let held = self.avatars.values().map(|held| held.model.constants(0));
+        let sizes = SharedSizes::new(held.chain([model.constants(0)]), self.shared.sizes.capacity);
+        self.make_room(sizes)?;
+        let held = HeldAvatar::new(
+            &self.gpu,
+            avatar,
+            &levels,
+            traits,
+            model,
+            &self.options,
+            &self.shared,
+        )?;
+        self.gpu.check()?;
+        Ok(self.avatars.insert(held))
+    }
+
+    /// Gives an avatar's memory back: no person of it can be drawn any more. False if it is not
+    /// held.
+    pub fn remove_avatar(&mut self, avatar: AvatarId) -> bool {
+        self.avatars.remove(avatar).is_some()
+    }
+
+    /// Makes what is shared anew if these sizes are more than it has; the image stays.
+    fn make_room(&mut self, sizes: SharedSizes) -> Result<()> {
+        if self.shared.sizes.hold(&sizes) {
+            return Ok(());
+        }
+        let sizes = sizes.union(self.shared.sizes);
+        self.shared
+            .resize_buffers(&self.gpu, &self.options, sizes)?;
+        for held in self.avatars.values_mut() {
+            held.rebind(&self.gpu, &self.options, &self.shared);
+        }
+        self.key_count = None;
+        self.forget();
+        self.gpu.check()
+    }
+
+    /// Has the next frame compute and draw all.
+    fn forget(&mut self) {
+        for cache in &mut self.pose_caches {
+            *cache = PoseCache::default();
+        }
+        self.state = FrameState::default();
+        self.damaged = None;
+    }
+
+    /// Fills the buffers that [`Self::empty`] or [`Self::add_avatar`] made for this avatar, whose
+    /// spherical harmonics they have uploaded. False, and nothing has changed, where its arrays have
+    /// other lengths.
     ///
     /// # Errors
     /// When [`Avatar::check`] finds a fault, the device's memory does not suffice, or it is lost.
-    pub fn upload(&mut self, avatar: &Avatar) -> Result<bool> {
+    pub fn upload(&mut self, id: AvatarId, avatar: &Avatar) -> Result<bool> {
         avatar.check()?;
-        self.write(avatar)
+        self.write(id, avatar)
     }
 
     /// [`Self::upload`] of an avatar that was checked.
-    fn write(&mut self, avatar: &Avatar) -> Result<bool> {
+    fn write(&mut self, id: AvatarId, avatar: &Avatar) -> Result<bool> {
         let levels = model::levels(avatar);
-        if !self.model.fits(avatar) || !self.model.fits_levels(&levels) {
+        let Some(held) = self.avatars.get_mut(id) else {
+            return Ok(false);
+        };
+        if !held.model.fits(avatar) || !held.model.fits_levels(&levels) {
             return Ok(false);
         }
-        self.model.fill(&self.gpu, avatar);
-        self.model.fill_levels(&self.gpu, avatar, &levels);
+        held.model.fill(&self.gpu, avatar);
+        held.model.fill_levels(&self.gpu, avatar, &levels);
         self.gpu.check()?;
         Ok(true)
     }
 
-    /// Draws small images of the avatar from its levels, too, from the next frame on. This is for a
-    /// renderer that was made of the avatar without them, so that a page's first frame does not
-    /// wait for them. No kernel is compiled unless a level has longer arrays than the avatar.
-    /// Returns false and changes nothing if the avatar has no levels or is another one, if the
-    /// renderer has levels already, or if the capacity is too small to draw from levels.
+    /// Draws small images of an avatar from its levels, too, from the next frame on. This is for one
+    /// that was uploaded without them, so that a page's first frame does not wait for them. No
+    /// kernel is compiled unless a level has longer arrays than the avatar. Returns false and
+    /// changes nothing if the avatar has no levels or is another one, if it has levels already, or
+    /// if the capacity is too small to draw from levels.
     ///
     /// # Errors
     /// When [`Avatar::check`] finds a fault, or the device is lost or out of memory.
-    pub fn add_levels(&mut self, avatar: &Avatar) -> Result<bool> {
-        if avatar.levels.is_empty() || self.model.sets() > 1 || !self.model.fits(avatar) {
+    pub fn add_levels(&mut self, id: AvatarId, avatar: &Avatar) -> Result<bool> {
+        let Some(held) = self.avatars.get(id) else {
+            return Ok(false);
+        };
+        if avatar.levels.is_empty() || held.model.sets() > 1 || !held.model.fits(avatar) {
             return Ok(false);
         }
         avatar.check()?;
-        let bounds = bounds_of(avatar, &self.options);
-        if !self.has_capacity(&bounds)? {
+        let traits = traits_of(avatar, &self.options);
+        if !self.has_capacity(&traits.bounds)? {
             return Ok(false);
         }
-        let levels = model::levels(avatar);
-        self.make_room(&levels)?;
-        self.show_anew(avatar, &levels, bounds)?;
+        self.show_anew(id, avatar, traits)?;
         Ok(true)
     }
 
     /// Whether the buffers hold all that frames of an avatar with these bounds may draw.
     fn has_capacity(&self, bounds: &AvatarBounds) -> Result<bool> {
         let capacity = Capacity::new(&self.options, bounds)?;
-        Ok(capacity.gaussians <= self.capacity.gaussians && capacity.posed <= self.capacity.posed)
-    }
-
-    /// Makes buffers for these levels in place of those before. The harmonics must be replaced,
-    /// too.
-    fn make_room(&mut self, levels: &[Avatar]) -> Result<()> {
-        self.model.make_room(&self.gpu, levels)?;
-        self.project
-            .bind(&self.gpu, &self.model, &self.blocks, &self.pose);
-        Ok(())
+        Ok(self.shared.sizes.capacity.holds(&capacity))
     }
 
     /// Writes levels and harmonics, and has the next frame compute and draw all of an avatar.
-    fn show_anew(
-        &mut self,
-        avatar: &Avatar,
-        levels: &[Avatar],
-        bounds: AvatarBounds,
-    ) -> Result<()> {
-        self.model.fill_levels(&self.gpu, avatar, levels);
-        if let Some(sh) = &mut self.sh {
-            sh.replace(
-                &self.gpu,
-                avatar,
-                levels,
-                &self.model,
-                &self.blocks,
-                &self.pose,
-            )?;
+    fn show_anew(&mut self, id: AvatarId, avatar: &Avatar, traits: AvatarTraits) -> Result<()> {
+        let levels = model::levels(avatar);
+        let Some(held) = self.avatars.get_mut(id) else {
+            return Ok(());
+        };
+        if id == AvatarId::FIRST {
+            self.bounds = traits.bounds.clone();
         }
-        self.avatar_bounds = bounds;
-        self.needs = PartDependencies::new(avatar);
-        for cache in &mut self.pose_caches {
-            *cache = PoseCache::default();
-        }
-        self.state = FrameState::default();
+        held.show_anew(&self.gpu, avatar, &levels, traits, &self.shared)?;
+        self.forget();
         self.gpu.check()
     }
 
-    /// Draws this avatar from now on, which has the Gaussians and the nodes of the one before and
-    /// may have other correctives of the same number, other spherical harmonics of the same degree
-    /// and any levels: kernels stay, as with [`Self::add_levels`]. False, and nothing has changed,
-    /// where its arrays have other lengths.
+    /// Draws this avatar in place of one that is held from now on, which has its Gaussians and nodes
+    /// and may have other correctives of the same number, other spherical harmonics of the same
+    /// degree and any levels: kernels stay, as with [`Self::add_levels`]. False, and nothing has
+    /// changed, where its arrays have other lengths.
     ///
     /// # Errors
     /// When [`Avatar::check`] finds a fault, or the device is lost.
-    pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<bool> {
+    pub fn replace_avatar(&mut self, id: AvatarId, avatar: &Avatar) -> Result<bool> {
         avatar.check()?;
-        let bounds = bounds_of(avatar, &self.options);
+        let traits = traits_of(avatar, &self.options);
+        let has_capacity = self.has_capacity(&traits.bounds)?;
+        let Some(held) = self.avatars.get_mut(id) else {
+            return Ok(false);
+        };
         let degree = SphericalHarmonics::degree_of(avatar);
-        if degree != self.sh.as_ref().map(SphericalHarmonics::degree)
-            || !self.model.fits(avatar)
-            || !self.has_capacity(&bounds)?
+        if degree != held.sh.as_ref().map(SphericalHarmonics::degree)
+            || !held.model.fits(avatar)
+            || !has_capacity
         {
             return Ok(false);
         }
-        let levels = model::levels(avatar);
-        if !self.model.fits_levels(&levels) {
-            self.make_room(&levels)?;
-        }
-        self.model.fill(&self.gpu, avatar);
-        self.show_anew(avatar, &levels, bounds)?;
+        held.model.fill(&self.gpu, avatar);
+        self.show_anew(id, avatar, traits)?;
         Ok(true)
     }
 
@@ -287,16 +267,16 @@ impl Renderer {
         &self.gpu
     }
 
-    /// The avatar's bounds.
+    /// The bounds of the avatar that it was made with.
     pub fn bounds(&self) -> &AvatarBounds {
-        &self.avatar_bounds
+        &self.bounds
     }
 
     fn equipment(&self) -> Equipment {
         Equipment {
-            sh: self.sh.is_some(),
+            sh: self.avatars.values().any(|held| held.traits.has_sh),
             supersampling: self.options.supersampling.is_on(),
-            method: self.raster.method(),
+            method: self.shared.raster.method(),
             skip: self.options.skip,
         }
     }
@@ -308,7 +288,7 @@ impl Renderer {
 
     /// The image, premultiplied.
     pub fn image_view(&self) -> &wgpu::TextureView {
-        self.raster.view()
+        self.shared.raster.view()
     }
 
     /// What the last finished frame took and drew: at most two frames old. A frame that needed
@@ -326,16 +306,16 @@ impl Renderer {
         !self.frames_in_flight[self.next].is_pending()
     }
 
-    /// Submits a frame of several avatars, at most [`RendererOptions::instances`], sorted together;
-    /// says whether anything had to be drawn. Caches and changes go by place in `poses`: keep each
-    /// copy of the avatar at its place from frame to frame. Natively it waits when two frames are
+    /// Submits a frame of people, at most [`RendererOptions::instances`], sorted together; says
+    /// whether anything had to be drawn. Caches and changes go by place in `people`: keep everybody's
+    /// from frame to frame. Natively it waits when two frames are
     /// still under way; in a browser, call it when [`Self::ready`].
     ///
     /// # Errors
-    /// When a pose or the camera holds a number that can't be drawn, there are too many poses, or
-    /// the device is lost.
-    pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera) -> Result<bool> {
-        validate::frame(poses, camera, &self.avatar_bounds, &self.options)?;
+    /// When a pose or the camera holds a number that can't be drawn, a pose is another avatar's or
+    /// its avatar is not held, there are too many people, or the device is lost or out of memory.
+    pub fn draw_scene(&mut self, people: &[Person], camera: &Camera) -> Result<bool> {
+        self.make_room_for(people, camera)?;
         self.gpu.check()?;
         #[cfg(not(target_arch = "wasm32"))]
         if let Some(submission) = self.frames_in_flight[self.next].submission() {
@@ -348,12 +328,10 @@ impl Renderer {
         let mut state = std::mem::take(&mut self.state);
         let damaged = self.damaged.take();
         let plan = state.plan(PlanInput {
-            poses,
+            people: &self.planned(people)?,
             camera,
-            bounds: &self.avatar_bounds,
-            dependencies: &self.needs,
             options: &self.options,
-            capacity: self.capacity,
+            capacity: self.shared.sizes.capacity,
             always_submit: false,
         });
         if !plan.redraw {
@@ -363,18 +341,8 @@ impl Renderer {
             return Ok(false);
         }
         if let Some(atlas) = &plan.atlas {
-            let Self {
-                gpu,
-                raster,
-                blocks,
-                project,
-                sort,
-                control,
-                ..
-            } = self;
-            let inputs = raster_inputs(project, sort, control);
-            raster.make_atlas(gpu, blocks, inputs, atlas.layer.size)?;
-            raster.write_slots(gpu, &atlas.slots);
+            self.shared.make_atlas(&self.gpu, atlas.layer.size)?;
+            self.shared.raster.write_slots(&self.gpu, &atlas.slots);
         }
         let damage = Damage::new(plan.drawn_rect, damaged, self.options.size);
         let device_state = DeviceState {
@@ -395,20 +363,37 @@ impl Renderer {
     /// # Errors
     /// When the pose or the camera holds a number that can't be drawn, or the device is lost.
     pub fn draw(&mut self, posed: &Posed, camera: &Camera) -> Result<bool> {
-        self.draw_scene(&[posed], camera)
+        self.draw_scene(&[posed.into()], camera)
+    }
+
+    /// People with what is known of their avatars.
+    fn planned<'pose>(&self, people: &[Person<'pose>]) -> Result<Vec<PlannedPerson<'_, 'pose>>> {
+        let traits = |id| self.avatars.get(id).map(|held| &held.traits);
+        Ok(planned(people, traits)?)
+    }
+
+    /// Checks a frame, and makes the buffers larger if it needs that.
+    fn make_room_for(&mut self, people: &[Person], camera: &Camera) -> Result<()> {
+        let planned = self.planned(people)?;
+        validate::frame(&planned, camera, &self.options)?;
+        let bounds = planned.iter().map(|person| &person.traits.bounds);
+        let sizes = SharedSizes {
+            capacity: Capacity::of(&self.options, bounds)?,
+            ..self.shared.sizes
+        };
+        self.make_room(sizes)
     }
 
     /// Records a schedule, and submits it.
     fn submit(&mut self, schedule: &FrameSchedule, plan: &FramePlan, damage: &Damage) {
         let stages = StageDispatches {
-            has_sh: self.sh.is_some(),
-            sort: schedule.runs(Stage::Sort) * self.sort.dispatches() as u64,
+            sort: schedule.runs(Stage::Sort) * self.shared.sort.dispatches() as u64,
             // Quads have none without the stages before them.
-            raster: schedule.runs(Stage::Binning) * self.raster.dispatches(),
+            raster: schedule.runs(Stage::Binning) * self.shared.raster.dispatches(),
         };
         let counters = Counters {
             damaged: damage.pixels(),
-            ..plan.counters(self.model.constants(0).gaussians, &stages)
+            ..plan.counters(&stages)
         };
         // An empty image has a block of its own.
         let own = self.options.instances;
@@ -422,13 +407,8 @@ impl Renderer {
         let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {
             gpu: &self.gpu,
-            mlp: &self.mlp,
-            sh: self.sh.as_ref(),
-            project: &self.project,
-            sort: &self.sort,
-            raster: &self.raster,
-            control: &self.control,
-            blocks: &self.blocks,
+            avatars: &self.avatars,
+            shared: &self.shared,
             plan,
             image: draw(&plan.image, RenderTarget::Image, damage),
             atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, RenderTarget::Atlas, damage)),
@@ -442,7 +422,10 @@ impl Renderer {
         let in_flight = &mut self.frames_in_flight[self.next];
         in_flight.begin(counters, self.options.count);
         executor.execute(in_flight, &mut encoder, schedule);
-        in_flight.submit(&self.gpu, encoder, &self.control, &self.project);
+        let SharedStages {
+            control, splats, ..
+        } = &self.shared;
+        in_flight.submit(&self.gpu, encoder, control, splats);
         self.key_count = Some(schedule.key_count);
     }
 
@@ -456,34 +439,37 @@ impl Renderer {
     ) {
         let image = SettingsBlock {
             key_count: schedule.key_count,
-            first_region: self.raster.first_region(damage),
-            ..self.settings
+            first_region: self.shared.raster.first_region(damage),
+            ..self.shared.settings
         };
         let first = match &plan.atlas {
             Some(atlas) => SettingsBlock {
                 key_count: atlas.layer.key_count(),
                 first_region: [0; 2],
-                ..self.settings
+                ..self.shared.settings
             },
             None => image,
         };
-        if self.key_count.is_none() || self.settings != first {
-            self.settings = first;
+        if self.key_count.is_none() || self.shared.settings != first {
+            self.shared.settings = first;
             self.gpu
                 .queue
-                .write_buffer(&self.blocks.settings, 0, bytes_of(&first));
+                .write_buffer(&self.shared.blocks.settings, 0, bytes_of(&first));
         }
         if plan.layers().count() > 1 {
-            self.settings = image;
-            self.blocks
+            self.shared.settings = image;
+            self.shared
+                .blocks
                 .write_second(&self.gpu, &image, &control(image.key_count));
         }
         for instance in plan
             .instances()
             .filter(|instance| instance.changes.skinning == Skinning::ComputeAndStore)
         {
-            self.pose_caches[instance.index] =
-                PoseCache::new(&self.avatar_bounds, instance.posed, camera);
+            if let Some(held) = self.avatars.get(instance.avatar) {
+                self.pose_caches[instance.index] =
+                    PoseCache::new(&held.traits.bounds, instance.posed, camera);
+            }
         }
         for layer in plan.layers() {
             for instance in &layer.instances {
@@ -498,20 +484,25 @@ impl Renderer {
 
     fn write_block(&mut self, layer: &Layer, camera: &Camera, instance: Option<&AvatarInstance>) {
         let number = instance.map_or(self.options.instances, |instance| instance.index);
-        let set = instance.map_or(0, |instance| instance.model);
         let block = &mut *self.frame;
-        block::write_constants(block, self.model.constants(set));
+        if let Some(instance) = instance
+            && let Some(held) = self.avatars.get(instance.avatar)
+        {
+            block::write_constants(block, held.model.constants(instance.model));
+        }
         block::write_shared(block, &self.options, layer, camera);
-        self.project.fill(block);
+        self.shared.splats.fill(block);
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
-            let pose = PoseLayout::new(self.model.constants(0), self.capacity);
+            let pose = self.shared.sizes.pose_layout();
             block::write_instance(block, &self.options, layer, instance, pose);
-            self.project.fill_instance(block, instance.cache_start);
+            self.shared
+                .splats
+                .fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);
         }
         self.gpu.queue.write_buffer(
-            &self.blocks.frames,
+            &self.shared.blocks.frames,
             u64::from(block_offset(number)),
             bytes_of(block),
         );
@@ -522,16 +513,7 @@ impl Renderer {
     /// # Errors
     /// When the device does not draw that size.
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
-        let Self {
-            project,
-            sort,
-            control,
-            raster,
-            blocks,
-            ..
-        } = self;
-        let inputs = raster_inputs(project, sort, control);
-        raster.resize(&self.gpu, blocks, inputs, size)?;
+        self.shared.resize_image(&self.gpu, size)?;
         self.options.size = size;
         self.state = FrameState::default();
         self.damaged = None;

@@ -78,7 +78,8 @@ impl SphericalHarmonics {
         Ok(())
     }
 
-    fn bind(&mut self, gpu: &Gpu, model: &Model, blocks: &Blocks, pose: &wgpu::Buffer) {
+    /// Binds it to the colours of `model`.
+    pub fn bind(&mut self, gpu: &Gpu, model: &Model, blocks: &Blocks, pose: &wgpu::Buffer) {
         for set in 0..model.sets() {
             let bound = self
                 .coefficients

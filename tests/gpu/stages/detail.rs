@@ -5,6 +5,7 @@ use crate::common::{self, Random, Sizes, gpu};
 use effigy_core::{
     avatar::{Avatar, ShCoefficients, motion::Player},
     frame::{
+        Person,
         RasterMethod::{self, CooperativeTiles, Quads},
         RendererOptions,
     },
@@ -193,7 +194,7 @@ fn avatars_of_different_levels_are_sorted_together() {
     };
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     renderer
-        .draw_scene(&poses.each_ref(), &camera, None)
+        .draw_scene(&Person::copies(&poses.each_ref()), &camera, None)
         .unwrap();
     let image = renderer.read_image().unwrap();
     let splats: Vec<_> = poses

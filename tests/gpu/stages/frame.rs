@@ -10,6 +10,7 @@ use crate::common::{
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
+    frame::AvatarId,
     scene::{Camera, Posed},
 };
 use effigy_lab::stress::Rasterizer;
@@ -164,9 +165,17 @@ fn an_avatar_takes_the_place_of_another() {
     }
     let shown = renderer.read_image().unwrap();
     let prepare = |avatar| PreparedAvatar::new(avatar).unwrap();
-    assert!(!renderer.replace_avatar(&prepare(&other)).unwrap());
+    assert!(
+        !renderer
+            .replace_avatar(AvatarId::FIRST, &prepare(&other))
+            .unwrap()
+    );
     assert_eq!(renderer.read_image().unwrap(), shown);
-    assert!(renderer.replace_avatar(&prepare(&second)).unwrap());
+    assert!(
+        renderer
+            .replace_avatar(AvatarId::FIRST, &prepare(&second))
+            .unwrap()
+    );
     assert!(matches!(renderer.read_image(), Err(Error::NothingDrawn)));
     let posed = Posed::new(&second, &common::pose(7, &second));
     let mut own = Renderer::new(&device, &second, options).unwrap();

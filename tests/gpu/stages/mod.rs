@@ -6,6 +6,7 @@ pub mod detail;
 pub mod frame;
 pub mod mlp;
 pub mod nodes;
+pub mod people;
 pub mod project;
 pub mod raster;
 pub mod resolve;

@@ -12,7 +12,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{FrameReport, RendererOptions},
+    frame::{FrameReport, Person, RendererOptions},
     reference,
     scene::{Camera, Detail, FrameImage, Posed, Supersampling},
 };
@@ -29,7 +29,8 @@ impl Renders for Renderer {
     }
 
     fn draw_all(&mut self, poses: &[&Posed], camera: &Camera) {
-        self.draw_scene(poses, camera, None).unwrap();
+        self.draw_scene(&Person::copies(poses), camera, None)
+            .unwrap();
     }
 
     fn image(&mut self) -> FrameImage {
@@ -71,8 +72,12 @@ fn coarser_levels_are_drawn_where_asked_for(raster: Raster) {
         renderer.adjust(options.size, detail).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
         let image = renderer.read_image().unwrap();
-        let expected =
-            reference::render_shown(drawn, &[&posed], &camera, Supersampling::BySize, None);
+        let expected = reference::render_shown(
+            &reference::people(drawn, &[&posed]),
+            &camera,
+            Supersampling::BySize,
+            None,
+        );
         assert_near(
             &format!("{coarser} levels coarser"),
             &image,

@@ -4,7 +4,7 @@
 use crate::common::{self, Random, Sizes, f16s, gpu};
 use effigy_core::{
     avatar::{Avatar, ShCoefficients},
-    frame::Skip,
+    frame::{Person, Skip},
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Posed},
 };
@@ -44,7 +44,11 @@ fn renderer(device: &Arc<Gpu>, avatar: &Avatar, instances: usize, skip: Skip) ->
 
 fn draw(renderer: &mut Renderer, poses: &[Posed], camera: &Camera) -> (FrameImage, FrameReport) {
     renderer
-        .draw_scene(&poses.iter().collect::<Vec<_>>(), camera, None)
+        .draw_scene(
+            &Person::copies(&poses.iter().collect::<Vec<_>>()),
+            camera,
+            None,
+        )
         .unwrap();
     let image = renderer.read_image().unwrap();
     (image, renderer.report().clone())
@@ -66,8 +70,11 @@ fn avatars_are_sorted_together_as_the_reference_sorts_them() {
     for yaw in [0.4, 2.0] {
         let mut renderer = renderer(&device, &avatar, 3, Skip::all() - Skip::DEPTH);
         let (image, report) = draw(&mut renderer, &poses, &camera(yaw));
-        let reference =
-            reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera(yaw));
+        let reference = reference::render_scene(
+            &reference::people(&avatar, &poses.iter().collect::<Vec<_>>()),
+            &camera(yaw),
+            None,
+        );
         let error = error::between(&image, &reference).covered;
         assert!(error.pixels > 5000 && error.psnr_db >= 50.0, "{error:?}");
         let owner = |slot: &u32| *slot as usize / avatar.gaussians.len();
@@ -112,8 +119,11 @@ fn each_avatar_has_the_colours_that_the_camera_sees_on_it() {
         &poses,
         &camera(0.3),
     );
-    let reference =
-        reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera(0.3));
+    let reference = reference::render_scene(
+        &reference::people(&avatar, &poses.iter().collect::<Vec<_>>()),
+        &camera(0.3),
+        None,
+    );
     let error = error::between(&image, &reference).covered;
     assert!(error.pixels > 5000 && error.psnr_db >= 50.0, "{error:?}");
 }
@@ -250,7 +260,11 @@ fn each_avatar_has_its_own_state_from_frame_to_frame() {
     }
     let third = poses(&avatar, &[(1, left), (2, right), (3, far)]);
     let error = renderer_of_all
-        .draw_scene(&third.iter().collect::<Vec<_>>(), &camera(0.4), None)
+        .draw_scene(
+            &Person::copies(&third.iter().collect::<Vec<_>>()),
+            &camera(0.4),
+            None,
+        )
         .unwrap_err()
         .to_string();
     assert!(
@@ -280,8 +294,11 @@ fn each_avatar_has_its_own_pose_cache() {
         // The last two frames have one camera.
         let camera = camera(0.3 + 0.1 * number.min(3) as f64);
         let (image, report) = draw(&mut renderer, &poses, &camera);
-        let reference =
-            reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera);
+        let reference = reference::render_scene(
+            &reference::people(&avatar, &poses.iter().collect::<Vec<_>>()),
+            &camera,
+            None,
+        );
         let error = error::between(&image, &reference).covered;
         assert!(error.psnr_db >= 47.0, "frame {number}: {error:?}");
         cached.push(report.counters.cached / each);

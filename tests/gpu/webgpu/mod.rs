@@ -1,6 +1,7 @@
 //! The WebGPU backend, natively: its stages and images against the reference and against the
 //! Vulkan backend.
 
+pub mod people;
 pub mod small;
 
 use crate::{
@@ -19,7 +20,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Filter, ShCoefficients},
-    frame::{RasterMethod, RendererOptions, Skinning, Skip, SortVariant},
+    frame::{AvatarId, Person, RasterMethod, RendererOptions, Skinning, Skip, SortVariant},
     io::{file::Neutral, pack::PackQuality},
     layout::SORT_CULLED,
     reference,
@@ -325,7 +326,7 @@ fn the_order_is_that_of_a_stable_sort() {
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer
-            .draw_scene(&poses.iter().collect::<Vec<_>>(), &camera)
+            .draw_scene(&Person::copies(&poses.iter().collect::<Vec<_>>()), &camera)
             .unwrap();
         let stages = renderer.stages().unwrap();
         let mut expected: Vec<u32> = (0..stages.keys.len() as u32)
@@ -420,13 +421,17 @@ fn scenes_of_several_leave_out_who_is_not_seen() {
         },
     )
     .unwrap();
-    renderer.draw_scene(&[&far, &posed], &camera).unwrap();
+    renderer
+        .draw_scene(&Person::copies(&[&far, &posed]), &camera)
+        .unwrap();
     let both = renderer.read_image().unwrap();
     assert_eq!(renderer.report().counters.avatars_culled, 1);
     let mut alone = Renderer::new(&device, &avatar, gpu::options([200, 200])).unwrap();
     alone.draw(&posed, &camera).unwrap();
     assert!(both == alone.read_image().unwrap());
-    renderer.draw_scene(&[&far, &far], &camera).unwrap();
+    renderer
+        .draw_scene(&Person::copies(&[&far, &far]), &camera)
+        .unwrap();
     assert!(
         renderer
             .read_image()
@@ -437,7 +442,7 @@ fn scenes_of_several_leave_out_who_is_not_seen() {
         "nobody is in view"
     );
     assert!(matches!(
-        renderer.draw_scene(&[&posed; 4], &camera),
+        renderer.draw_scene(&Person::copies(&[&posed; 4]), &camera),
         Err(Error::Unusable(_))
     ));
 }
@@ -466,8 +471,11 @@ fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
         [away(6.0), away(9.0)],
         [away(0.0), away(9.0)],
     ] {
-        ours.draw_scene(&poses.each_ref(), &camera).unwrap();
-        theirs.draw_scene(&poses.each_ref(), &camera, None).unwrap();
+        ours.draw_scene(&Person::copies(&poses.each_ref()), &camera)
+            .unwrap();
+        theirs
+            .draw_scene(&Person::copies(&poses.each_ref()), &camera, None)
+            .unwrap();
         let [ours_seen, theirs_seen] = [ours.read_image().unwrap(), theirs.read_image().unwrap()];
         let error = error::between(&ours_seen, &theirs_seen).covered;
         assert!(error.pixels > 500 && error.psnr_db > 50.0, "{error:?}");
@@ -562,7 +570,7 @@ fn an_avatar_is_drawn_before_its_correctives_are_there(raster: Raster) {
             "{options:?}: {:?}",
             error.covered
         );
-        assert_eq!(renderer.replace_avatar(avatar), Ok(true));
+        assert_eq!(renderer.replace_avatar(AvatarId::FIRST, avatar), Ok(true));
         assert_eq!(
             renderer.draw(&posed, &camera),
             Ok(true),
@@ -575,13 +583,16 @@ fn an_avatar_is_drawn_before_its_correctives_are_there(raster: Raster) {
             "{options:?}"
         );
         assert_eq!(
-            renderer.replace_avatar(&common::avatar(
-                32,
-                Sizes {
-                    gaussians: 1999,
-                    ..Sizes::default()
-                }
-            )),
+            renderer.replace_avatar(
+                AvatarId::FIRST,
+                &common::avatar(
+                    32,
+                    Sizes {
+                        gaussians: 1999,
+                        ..Sizes::default()
+                    }
+                )
+            ),
             Ok(false)
         );
     }

@@ -14,7 +14,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{FrameReport, RendererOptions, Skip},
+    frame::{AvatarId, FrameReport, Person, RendererOptions, Skip},
     reference,
     scene::{Camera, FrameImage, Posed, Supersampling},
 };
@@ -35,7 +35,7 @@ impl Renders for Renderer {
     }
 
     fn draw_all(&mut self, poses: &[&Posed], camera: &Camera) {
-        self.draw_scene(poses, camera).unwrap();
+        self.draw_scene(&Person::copies(poses), camera).unwrap();
     }
 
     fn image(&mut self) -> FrameImage {
@@ -144,7 +144,7 @@ fn levels_may_come_after_the_first_frame(raster: Raster) {
         let file = avatar.to_bytes().unwrap();
         let mut renderer = Renderer::make(&neutral(&file), options);
         renderer.draw_all(&[&posed], &camera);
-        assert_eq!(renderer.replace_avatar(&without), Ok(true));
+        assert_eq!(renderer.replace_avatar(AvatarId::FIRST, &without), Ok(true));
         let shown = |renderer: &mut Renderer| {
             renderer.draw_all(&[&posed], &camera);
             (renderer.image(), renderer.report().counters.coarsest_level)
@@ -155,15 +155,15 @@ fn levels_may_come_after_the_first_frame(raster: Raster) {
         assert!(shown(&mut renderer) == own);
         let mut broken = avatar.clone();
         broken.levels[1].gaussians.joint[7] = [255; 4];
-        assert!(renderer.add_levels(&broken).is_err());
+        assert!(renderer.add_levels(AvatarId::FIRST, &broken).is_err());
         assert!(shown(&mut renderer) == own);
-        assert_eq!(renderer.add_levels(&avatar), Ok(true));
+        assert_eq!(renderer.add_levels(AvatarId::FIRST, &avatar), Ok(true));
         assert!(shown(&mut renderer) == of_level);
-        assert_eq!(renderer.add_levels(&avatar), Ok(false));
+        assert_eq!(renderer.add_levels(AvatarId::FIRST, &avatar), Ok(false));
         // Without them again, and all at once.
-        assert_eq!(renderer.replace_avatar(&without), Ok(true));
+        assert_eq!(renderer.replace_avatar(AvatarId::FIRST, &without), Ok(true));
         assert!(shown(&mut renderer) == own);
-        assert_eq!(renderer.replace_avatar(&avatar), Ok(true));
+        assert_eq!(renderer.replace_avatar(AvatarId::FIRST, &avatar), Ok(true));
         assert!(shown(&mut renderer) == of_level);
     }
 }
@@ -216,8 +216,12 @@ fn small_avatars_follow_a_resize(raster: Raster) {
         let posed = posed(&avatar, &camera, 2, DVec3::new(0.1, 0.0, 0.0));
         renderer.resize(size).unwrap();
         renderer.draw_all(&[&posed], &camera);
-        let expected =
-            reference::render_shown(&avatar, &[&posed], &camera, Supersampling::BySize, None);
+        let expected = reference::render_shown(
+            &reference::people(&avatar, &[&posed]),
+            &camera,
+            Supersampling::BySize,
+            None,
+        );
         let error = error::between(&renderer.image(), &expected);
         assert!(
             error.whole.psnr_db > 52.0,

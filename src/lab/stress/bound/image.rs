@@ -10,11 +10,12 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     constants::saturation_light,
     frame::{
-        DEPTH_KEYS, FrameState, PlanInput, RendererOptions, Skip, atlas::AtlasSlot,
-        capacity::Capacity, pose_cache::PoseCache, schedule::SATURATION_PIXELS,
+        AvatarId, AvatarTraits, DEPTH_KEYS, FrameState, PlanInput, RendererOptions, Skip,
+        atlas::AtlasSlot, capacity::Capacity, people::PlannedPerson, pose_cache::PoseCache,
+        schedule::SATURATION_PIXELS,
     },
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, PartDependencies, PartSet, PixelRect, Posed},
+    scene::{AvatarBounds, Camera, FrameImage, PartSet, PixelRect, Posed},
 };
 use glam::{DVec2, IVec2, UVec2};
 use rayon::prelude::*;
@@ -99,12 +100,16 @@ impl ImageBound {
             ..
         } = *scene;
         let bounds = AvatarBounds::new(avatar).filtered(options.filter);
-        let dependencies = PartDependencies::new(avatar);
+        let traits = AvatarTraits::new(avatar, bounds);
+        let bounds = &traits.bounds;
+        let person = PlannedPerson {
+            avatar: AvatarId::FIRST,
+            traits: &traits,
+            posed,
+        };
         let plan = FrameState::default().plan(PlanInput {
-            poses: &[posed],
+            people: &[person],
             camera,
-            bounds: &bounds,
-            dependencies: &dependencies,
             options,
             capacity: Capacity::unlimited(1),
             always_submit: true,
@@ -125,7 +130,7 @@ impl ImageBound {
         let nodes = features::nodes(&stored, &features);
         let cache = scene
             .cached_by
-            .map(|filled_by| PoseCache::new(&bounds, posed, filled_by));
+            .map(|filled_by| PoseCache::new(bounds, posed, filled_by));
         let mut splats = splats::splats(&SplatInput {
             avatar,
             stored: &stored,
@@ -135,7 +140,7 @@ impl ImageBound {
             features: &features,
             nodes: &nodes,
             gaussians: &gaussians,
-            bounds: &bounds,
+            bounds,
             depth_range: layer.depth_range,
             culled_parts: instance.map_or(PartSet::EMPTY, |instance| instance.culled_parts),
             culled: instance.is_none(),

@@ -1,6 +1,7 @@
 //! An avatar on the device: an [`Avatar`] goes in, its buffers and the constant part of the uniform
 //! block come out.
 
+use super::coefficients::Coefficients;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu},
     memory::{Buffer, Upload, upload_all},
@@ -20,12 +21,15 @@ pub struct GaussianSet {
     pub gaussians: Buffer,
     /// Basis rows of their correctives.
     pub rows: Buffer,
+    /// Of their spherical harmonics; None without.
+    pub coefficients: Option<Coefficients>,
     /// The uniform block with all that no frame changes.
     pub constants: Box<FrameBlock>,
 }
 
 impl GaussianSet {
-    fn new(gpu: &Arc<Gpu>, packed: &PackedSet) -> Result<Self> {
+    /// Those of `avatar`, or of one of its levels as an avatar.
+    fn new(gpu: &Arc<Gpu>, avatar: &Avatar, packed: &PackedSet) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
         Ok(Self {
             gaussians: Buffer::with_data(
@@ -35,6 +39,7 @@ impl GaussianSet {
                 storage | vk::BufferUsageFlags::TRANSFER_SRC,
             )?,
             rows: Buffer::with_data(gpu, "rows", cast_slice(&packed.rows), storage)?,
+            coefficients: Coefficients::new(gpu, avatar)?,
             constants: packed.constants.clone(),
         })
     }
@@ -75,15 +80,18 @@ impl Model {
     pub(crate) fn new(gpu: &Arc<Gpu>, avatar: &Avatar, packed: &PackedModel) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
         let buffer = |name, words: &[u32]| Buffer::with_data(gpu, name, cast_slice(words), storage);
+        let [own, levels @ ..] = &packed.sets[..] else {
+            unreachable!("an avatar is a set of its own");
+        };
+        let mut sets = vec![GaussianSet::new(gpu, avatar, own)?];
+        for (level, set) in avatar.levels.iter().zip(levels) {
+            sets.push(GaussianSet::new(gpu, &avatar.at_level(level), set)?);
+        }
         Ok(Self {
             networks: buffer("networks", &packed.networks)?,
             nodes: buffer("nodes", &packed.nodes)?,
             node_starts: buffer("node starts", &packed.node_starts)?,
-            sets: packed
-                .sets
-                .iter()
-                .map(|set| GaussianSet::new(gpu, set))
-                .collect::<Result<_>>()?,
+            sets,
             node_places: packed.node_places.clone(),
             networks_in_bytes: avatar.networks.in_bytes(),
         })

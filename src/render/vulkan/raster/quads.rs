@@ -27,7 +27,7 @@ use std::sync::Arc;
 /// The image and the framebuffer around it; made anew when its size changes.
 struct QuadTarget {
     framebuffer: Framebuffer,
-    image: Image,
+    image: Arc<Image>,
     /// Saturation depths, where fragments are tested; used within the render pass only.
     depth: Option<Image>,
 }
@@ -35,8 +35,8 @@ struct QuadTarget {
 impl QuadTarget {
     /// The views of its attachments.
     fn views(&self) -> Vec<vk::ImageView> {
-        let images = std::iter::once(&self.image).chain(&self.depth);
-        images.map(Image::view).collect()
+        let depth = self.depth.as_ref().map(Image::view);
+        std::iter::once(self.image.view()).chain(depth).collect()
     }
 }
 
@@ -62,6 +62,7 @@ impl Quads {
         gpu: &Arc<Gpu>,
         inputs: &RasterInputs,
         options: &RendererOptions,
+        image: Option<Arc<Image>>,
     ) -> Result<Self> {
         check_target(gpu, options.size)?;
         let format = options.color();
@@ -100,7 +101,10 @@ impl Quads {
         Ok(Self {
             gpu: gpu.clone(),
             format,
-            target: target(gpu, &pass, &parts, options.size)?,
+            target: match image {
+                Some(image) => target_around(gpu, &pass, &parts, image)?,
+                None => target(gpu, &pass, &parts, options.size)?,
+            },
             exponents: parts.exponents,
             bindings,
             saturation,
@@ -167,7 +171,7 @@ impl Quads {
 
     /// The atlas, if there is one.
     pub fn atlas(&self) -> Option<&Image> {
-        self.atlas.as_ref().map(|atlas| &atlas.image)
+        self.atlas.as_ref().map(|atlas| &*atlas.image)
     }
 
     pub fn draw_within(&mut self, size: [u32; 2]) {
@@ -188,7 +192,7 @@ impl Quads {
         }
     }
 
-    pub fn image(&self) -> &Image {
+    pub fn image(&self) -> &Arc<Image> {
         &self.target.image
     }
 
@@ -286,6 +290,16 @@ fn target(
         | vk::ImageUsageFlags::SAMPLED
         | vk::ImageUsageFlags::TRANSFER_SRC;
     let image = Image::new(gpu, "target", size, vulkan_format(parts.format), usage)?;
+    target_around(gpu, pass, parts, Arc::new(image))
+}
+
+fn target_around(
+    gpu: &Arc<Gpu>,
+    pass: &QuadPass,
+    parts: &QuadParts,
+    image: Arc<Image>,
+) -> Result<QuadTarget> {
+    let size = image.size;
     let mut views = vec![image.view()];
     let depth = if parts.saturation.is_some() {
         let usage = vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT

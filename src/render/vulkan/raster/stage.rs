@@ -58,6 +58,31 @@ impl Raster {
         inputs: &RasterInputs,
         options: &RendererOptions,
     ) -> Result<Self> {
+        Self::with(gpu, inputs, options, None)
+    }
+
+    /// The stage for other inputs, which draws into the image of this one, for who reads it to go on
+    /// reading it.
+    pub(crate) fn rebound(&self, inputs: &RasterInputs, options: &RendererOptions) -> Result<Self> {
+        let image = match &self.method {
+            Method::Quads(quads) => quads.image(),
+            Method::Tiles(tiles) => tiles.image(),
+        };
+        let options = RendererOptions {
+            size: image.size,
+            ..*options
+        };
+        let mut new = Self::with(&self.gpu, inputs, &options, Some(image.clone()))?;
+        new.draw_within(self.drawn());
+        Ok(new)
+    }
+
+    fn with(
+        gpu: &Arc<Gpu>,
+        inputs: &RasterInputs,
+        options: &RendererOptions,
+        image: Option<Arc<Image>>,
+    ) -> Result<Self> {
         let chosen = method(options, gpu);
         let method = if chosen.is_tiles() {
             if let Some(missing) = gpu.probe.lacks_for(chosen) {
@@ -72,9 +97,9 @@ impl Raster {
                     gpu.probe.driver
                 );
             }
-            Method::Tiles(Box::new(Tiles::new(gpu, inputs, options, chosen)?))
+            Method::Tiles(Box::new(Tiles::new(gpu, inputs, options, chosen, image)?))
         } else {
-            Method::Quads(Box::new(Quads::new(gpu, inputs, options)?))
+            Method::Quads(Box::new(Quads::new(gpu, inputs, options, image)?))
         };
         Ok(Self {
             resolve: None,

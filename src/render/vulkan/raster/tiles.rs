@@ -28,17 +28,17 @@ enum Lists {
 /// An image, and the kernel that writes it.
 struct TileTarget {
     kernel: Kernel,
-    image: Image,
+    image: Arc<Image>,
 }
 
 impl TileTarget {
-    /// Draws what `lists` say to an image of a size, px. `options`: resolved.
+    /// Draws what `lists` say to an image. `options`: resolved.
     fn new(
         gpu: &Arc<Gpu>,
         lists: &Lists,
         inputs: &RasterInputs,
         options: &RendererOptions,
-        size: [u32; 2],
+        image: Arc<Image>,
     ) -> Result<Self> {
         let module = match (lists, options.color()) {
             (Lists::Runs(_), ColorFormat::Rgba8) => &shaders::RASTER_COOPERATIVE_RGBA8,
@@ -51,7 +51,6 @@ impl TileTarget {
             Lists::Bins(bins) => (&kernels::RASTER_BINS, bins.add_to(&inputs.memory)),
         };
         let constants = constants(lists, options);
-        let image = create_image(gpu, options, size)?;
         let launch = launch(gpu, lists);
         let kernel = Kernel::of_frame(gpu, spec, module, &constants, &memory, launch)?;
         // SAFETY: nothing uses the kernel yet; `record` has the image in the layout that it writes,
@@ -79,7 +78,12 @@ impl Tiles {
         inputs: &RasterInputs,
         options: &RendererOptions,
         method: RasterMethod,
+        image: Option<Arc<Image>>,
     ) -> Result<Self> {
+        let image = match image {
+            Some(image) => image,
+            None => create_image(gpu, options, options.size)?,
+        };
         let lists = if method == RasterMethod::CooperativeTiles {
             Lists::Runs(Box::new(Runs::new(gpu, inputs)?))
         } else {
@@ -87,7 +91,7 @@ impl Tiles {
         };
         Ok(Self {
             gpu: gpu.clone(),
-            target: TileTarget::new(gpu, &lists, inputs, options, options.size)?,
+            target: TileTarget::new(gpu, &lists, inputs, options, image)?,
             atlas: None,
             lists,
             inputs: *inputs,
@@ -104,7 +108,7 @@ impl Tiles {
         }
     }
 
-    pub fn image(&self) -> &Image {
+    pub fn image(&self) -> &Arc<Image> {
         &self.target.image
     }
 
@@ -136,14 +140,15 @@ impl Tiles {
     /// # Safety
     /// No submitted work may use the one before.
     pub unsafe fn make_atlas(&mut self, size: [u32; 2]) -> Result<()> {
-        let atlas = TileTarget::new(&self.gpu, &self.lists, &self.inputs, &self.options, size)?;
+        let image = create_image(&self.gpu, &self.options, size)?;
+        let atlas = TileTarget::new(&self.gpu, &self.lists, &self.inputs, &self.options, image)?;
         self.atlas = Some(atlas);
         Ok(())
     }
 
     /// The atlas, if there is one.
     pub fn atlas(&self) -> Option<&Image> {
-        self.atlas.as_ref().map(|atlas| &atlas.image)
+        self.atlas.as_ref().map(|atlas| &*atlas.image)
     }
 
     pub fn draw_within(&mut self, size: [u32; 2]) {
@@ -275,7 +280,7 @@ fn launch(gpu: &Gpu, lists: &Lists) -> Launch {
     }
 }
 
-fn create_image(gpu: &Arc<Gpu>, options: &RendererOptions, size: [u32; 2]) -> Result<Image> {
+fn create_image(gpu: &Arc<Gpu>, options: &RendererOptions, size: [u32; 2]) -> Result<Arc<Image>> {
     check_size(gpu, size, gpu.probe.limits.max_image_dimension2_d)?;
     let mut usage = vk::ImageUsageFlags::STORAGE
         | vk::ImageUsageFlags::SAMPLED
@@ -283,5 +288,6 @@ fn create_image(gpu: &Arc<Gpu>, options: &RendererOptions, size: [u32; 2]) -> Re
     if options.supersampling.is_on() {
         usage |= vk::ImageUsageFlags::COLOR_ATTACHMENT;
     }
-    Image::new(gpu, "target", size, vulkan_format(options.color()), usage)
+    let format = vulkan_format(options.color());
+    Image::new(gpu, "target", size, format, usage).map(Arc::new)
 }

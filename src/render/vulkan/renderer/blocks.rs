@@ -1,24 +1,24 @@
-//! The uniform blocks of frames under way: one an avatar.
+//! The uniform blocks of frames under way: one a person.
 
+use super::held::HeldAvatar;
 use crate::vulkan::{
     commands::FRAMES_IN_FLIGHT,
     device::{error::Result, gpu::Gpu},
     memory::{Buffer, Slice},
-    passes::{model::Model, project::Project},
+    passes::splat_buffer::SplatBuffer,
     sort::Sort,
 };
 use ash::vk;
 use bytemuck::{bytes_of, from_bytes_mut};
 use effigy_core::{
     frame::{
-        RendererOptions, Skinning,
+        ByAvatar, RendererOptions, Skinning,
         block::{self, PoseLayout},
-        capacity::Capacity,
         pose_cache::PoseCache,
         state::{AvatarInstance, FramePlan, Layer},
     },
     layout::FrameBlock,
-    scene::{AvatarBounds, Camera},
+    scene::Camera,
 };
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ use std::sync::Arc;
 /// Bytes from one frame's uniform block to the next: every device's alignment divides 256.
 const STRIDE: usize = size_of::<FrameBlock>().next_multiple_of(256);
 
-/// A ring of uniform blocks, and the pose cache of each avatar.
+/// A ring of uniform blocks, and the pose cache of each person.
 pub(super) struct BlockRing {
     buffer: Buffer,
     instances: usize,
@@ -36,12 +36,11 @@ pub(super) struct BlockRing {
 
 /// Where a frame's values come from.
 pub(super) struct BlockSources<'a> {
-    pub extent: &'a AvatarBounds,
+    pub avatars: &'a ByAvatar<HeldAvatar>,
     pub options: &'a RendererOptions,
-    pub capacity: Capacity,
-    pub splats: &'a Project,
+    pub pose: PoseLayout,
+    pub splats: &'a SplatBuffer,
     pub sort: &'a Sort,
-    pub model: &'a Model,
 }
 
 impl BlockRing {
@@ -105,9 +104,12 @@ impl BlockRing {
         sources: &BlockSources,
     ) {
         for instance in plan.instances() {
-            if plan.redraw && instance.changes.skinning == Skinning::ComputeAndStore {
+            if plan.redraw
+                && instance.changes.skinning == Skinning::ComputeAndStore
+                && let Some(held) = sources.avatars.get(instance.avatar)
+            {
                 self.pose_caches[instance.index] =
-                    PoseCache::new(sources.extent, instance.posed, camera);
+                    PoseCache::new(&held.traits.bounds, instance.posed, camera);
             }
         }
         for layer in plan.layers() {
@@ -132,14 +134,16 @@ impl BlockRing {
         let start = self.offset(frame, number);
         let bytes = &mut self.buffer.mapped()[start..][..size_of::<FrameBlock>()];
         let block: &mut FrameBlock = from_bytes_mut(bytes);
-        let set = instance.map_or(0, |instance| instance.model);
-        block::write_constants(block, &sources.model.sets[set].constants);
+        if let Some(instance) = instance
+            && let Some(held) = sources.avatars.get(instance.avatar)
+        {
+            block::write_constants(block, &held.model.sets[instance.model].constants);
+        }
         block::write_shared(block, sources.options, layer, camera);
         sources.splats.fill(block);
         block.count_tile = sources.sort.tile();
         if let Some(instance) = instance {
-            let pose = PoseLayout::new(&sources.model.own().constants, sources.capacity);
-            block::write_instance(block, sources.options, layer, instance, pose);
+            block::write_instance(block, sources.options, layer, instance, sources.pose);
             sources.splats.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);
         }

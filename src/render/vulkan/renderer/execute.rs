@@ -1,20 +1,18 @@
 //! Runs a frame's schedule: records its passes, barriers and stages into a command buffer.
 
-use super::blocks::BlockRing;
+use super::{
+    held::{AvatarKernels, HeldAvatar},
+    shared::SharedStages,
+};
 use crate::vulkan::{
-    commands::{
-        control::set_control,
-        frame_in_flight::{CountSources, FrameInFlight},
-    },
+    commands::{control::set_control, frame_in_flight::FrameInFlight},
     device::recording::Recording,
-    memory::{Buffer, Scope},
-    passes::{mlp::Mlp, project::Project, sh::SphericalHarmonics},
-    raster::{Raster, draw::Draw, quad_pass::OnePassTarget},
-    sort::Sort,
+    memory::Scope,
+    raster::{draw::Draw, quad_pass::OnePassTarget},
 };
 use ash::vk::{AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
-    FramePlan, FrameSchedule,
+    AvatarId, ByAvatar, FramePlan, FrameSchedule,
     passes::{Pass, RenderTarget, Stage},
     resource::PipelineStages,
     schedule::{FrameCommand, ScheduleStep},
@@ -92,15 +90,8 @@ const SCHEDULED: &str = "a renderer schedules only stages that it has";
 
 /// What passes are recorded with: a renderer's stages, and where a frame's data lies.
 pub(super) struct Executor<'a> {
-    pub mlp: &'a Mlp,
-    /// Of the avatar, then of its levels; none where colours don't depend on the view.
-    pub sh: &'a [SphericalHarmonics],
-    pub project: &'a Project,
-    pub sort: &'a Sort,
-    pub raster: &'a Raster,
-    pub control: &'a Buffer,
-    pub counts: CountSources,
-    pub blocks: &'a BlockRing,
+    pub avatars: &'a ByAvatar<HeldAvatar>,
+    pub shared: &'a SharedStages,
     pub plan: &'a FramePlan<'a>,
     /// Index of the frame in flight.
     pub frame: usize,
@@ -122,7 +113,7 @@ impl Executor<'_> {
                 ScheduleStep::Command(FrameCommand::Run(Pass::KeepCounts)) => {
                     // SAFETY: the frame is recording; the renderer drops the buffers after the
                     // frames in flight.
-                    unsafe { in_flight.keep_counts(self.counts) };
+                    unsafe { in_flight.keep_counts(self.shared.count_sources()) };
                 }
                 ScheduleStep::Command(command) => {
                     in_flight.record(|commands| self.record(commands, command));
@@ -149,9 +140,14 @@ impl Executor<'_> {
         }
     }
 
-    /// Where in the ring of blocks an avatar's is, bytes.
+    /// Where in the ring of blocks a person's is, bytes.
     fn block(&self, instance: usize) -> u32 {
-        self.blocks.offset(self.frame, instance) as u32
+        self.shared.blocks.offset(self.frame, instance) as u32
+    }
+
+    /// The kernels of an avatar.
+    fn kernels(&self, avatar: AvatarId) -> &AvatarKernels {
+        &self.avatars.get(avatar).expect(SCHEDULED).kernels
     }
 
     /// The draw into a layer's image.
@@ -176,55 +172,65 @@ impl Executor<'_> {
     }
 
     fn run(&self, commands: Recording, pass: &Pass) {
+        let SharedStages {
+            splats,
+            sort,
+            raster,
+            control,
+            ..
+        } = self.shared;
         match *pass {
             Pass::SetKeyCount { keys } => {
                 // SAFETY: the buffer holds a control, and is dropped after the frames in flight.
-                unsafe { set_control(commands, self.control.raw(), keys) };
+                unsafe { set_control(commands, control.raw(), keys) };
             }
             Pass::ClearCounts => {
-                self.sort.clear(commands);
-                self.project.clear(commands);
+                sort.clear(commands);
+                splats.clear(commands);
             }
-            Pass::Mlp { instance, parts } => {
-                self.mlp.record(commands, self.block(instance), parts);
+            Pass::Mlp {
+                instance,
+                avatar,
+                parts,
+            } => {
+                let mlp = &self.kernels(avatar).mlp;
+                mlp.record(commands, self.block(instance), parts);
             }
             Pass::Sh {
                 instance,
+                avatar,
                 model,
                 gaussians,
             } => {
-                let sh = self.sh.get(model).expect(SCHEDULED);
-                sh.record(commands, self.block(instance), gaussians);
+                let sh = &self.kernels(avatar).sh;
+                sh.record(commands, self.block(instance), model, gaussians);
             }
             Pass::Project {
                 instance,
+                avatar,
                 model,
                 gaussians,
                 skinning,
             } => {
-                let block = self.block(instance);
-                self.project
-                    .record(commands, block, model, gaussians, skinning);
+                let project = &self.kernels(avatar).project;
+                project.record(commands, self.block(instance), model, gaussians, skinning);
             }
-            Pass::Sort => self.sort.record_counted(commands),
-            Pass::ClearTileLists => self.raster.clear_tile_lists(commands),
+            Pass::Sort => sort.record_counted(commands),
+            Pass::ClearTileLists => raster.clear_tile_lists(commands),
             Pass::Binning { target } => {
-                self.raster
-                    .record_binning(commands, self.draw(target).frame);
+                raster.record_binning(commands, self.draw(target).frame);
             }
-            Pass::Bin { target } => self.raster.record_bins(commands, self.draw(target)),
-            Pass::Saturation => self.raster.record_saturation(commands, &self.image),
+            Pass::Bin { target } => raster.record_bins(commands, self.draw(target)),
+            Pass::Saturation => raster.record_saturation(commands, &self.image),
             Pass::RasterTiles { target, .. } => {
-                self.raster.record(commands, self.draw(target), false, None);
+                raster.record(commands, self.draw(target), false, None);
             }
             Pass::RasterQuads { tested, target } => {
-                self.raster
-                    .record(commands, self.draw(target), tested, self.screen);
+                raster.record(commands, self.draw(target), tested, self.screen);
             }
             Pass::Resolve { clear } => {
                 let slots = &self.plan.atlas.as_ref().expect(SCHEDULED).slots;
-                self.raster
-                    .record_resolve(commands, &self.image, slots, clear);
+                raster.record_resolve(commands, &self.image, slots, clear);
             }
             // A step of its own.
             Pass::KeepCounts => {}

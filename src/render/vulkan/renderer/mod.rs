@@ -1,9 +1,11 @@
-//! Draws an avatar, or several copies of it in one scene: poses and a camera go in, an image on the
-//! device comes out. [`FrameSchedule::new`] says what a frame runs, `execute.rs` records it.
+//! Draws people: avatars, who of them stands where, and a camera go in, an image on the device comes
+//! out. [`FrameSchedule::new`] says what a frame runs, `execute.rs` records it.
 
 mod blocks;
 mod execute;
+mod held;
 mod prepared;
+mod shared;
 mod stages;
 
 pub use prepared::PreparedAvatar;
@@ -12,49 +14,44 @@ pub use stages::Stages;
 use super::{
     commands::{
         FRAMES_IN_FLIGHT, FrameReport, Semaphores,
-        control::control,
-        frame_in_flight::{CountSources, FrameInFlight, HostMarks},
+        frame_in_flight::{FrameInFlight, HostMarks},
     },
     device::{
         error::{Error, Result},
         gpu::Gpu,
         recording::Recording,
     },
-    memory::Buffer,
-    passes::{mlp::Mlp, model::Model, project::Project, sh::SphericalHarmonics},
-    pipeline::FrameMemory,
+    passes::model::Model,
     raster::{
         Raster,
         choice::{MethodChoice, strike_off},
         download::{self, Copied},
-        draw::{Draw, RasterInputs},
+        draw::Draw,
         drawn_by,
         quad_pass::OnePassTarget,
         resolved,
     },
-    sort::{self, Sort, SortOptions},
 };
 use crate::ndk::section;
-use ash::vk;
-use blocks::BlockRing;
-use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, DEPTH_KEYS, Damage, FramePlan, FrameSchedule, Layer, RendererOptions, Skip,
-        Stage, StageDispatches, Unusable,
-        block::PoseLayout,
+        AvatarId, AvatarTraits, ByAvatar, Counters, Damage, FramePlan, FrameSchedule, Layer,
+        Person, RendererOptions, Skip, Stage, StageDispatches, Unusable,
+        block::SharedSizes,
         capacity::Capacity,
         passes::{Pass, RenderTarget},
-        resource::Resource,
+        people::{PlannedPerson, planned},
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
         validate,
     },
-    scene::{AvatarBounds, Camera, Detail, FrameImage, PartDependencies, PixelRect, Posed},
+    scene::{AvatarBounds, Camera, Detail, FrameImage, PixelRect, Posed},
 };
 use execute::Executor;
+use held::{AvatarKernels, HeldAvatar, traits_of};
 use prepared::ms_since;
+use shared::SharedStages;
 use std::{sync::Arc, time::Instant};
 
 /// How a frame reaches a screen: what to wait for and signal, and the commands that follow the
@@ -92,27 +89,16 @@ impl<'a> Presentation<'a> {
     }
 }
 
-/// An avatar on a device, in as many poses as it was made for.
+/// Avatars on a device, and the stages that draw people of them.
 pub struct Renderer {
     // The first field: dropping it waits for the frames that use all others.
     frames_in_flight: Vec<FrameInFlight>,
-    mlp: Mlp,
-    /// Of the avatar, then of its levels; empty if colours don't depend on the view.
-    sh: Vec<SphericalHarmonics>,
-    project: Project,
-    sort: Sort,
-    raster: Raster,
-    control: Buffer,
-    /// Features, then node displacements, of one avatar after the other; then a vector of zeros.
-    pose: Buffer,
-    /// A block for each avatar of each frame under way.
-    blocks: BlockRing,
+    avatars: ByAvatar<HeldAvatar>,
+    shared: SharedStages,
+    /// Of the avatar that it was made with.
+    bounds: AvatarBounds,
     /// Why it draws by its method. None if the options named the method.
     choice: Option<MethodChoice>,
-    model: Model,
-    extent: AvatarBounds,
-    capacity: Capacity,
-    needs: PartDependencies,
     options: RendererOptions,
     state: FrameState,
     /// The key count that the control holds; None before the first frame.
@@ -190,64 +176,25 @@ impl Renderer {
     /// Without measurements.
     fn with(gpu: &Arc<Gpu>, prepared: &PreparedAvatar, options: RendererOptions) -> Result<Self> {
         options.check()?;
-        let avatar = prepared.avatar;
-        let mut options = resolved(gpu, options);
-        // Colours that change with the view can't come from a pose cache.
-        if avatar.sh.is_some() {
-            options.skip -= Skip::SKINNING;
-        }
+        let options = resolved(gpu, options);
+        let traits = traits_of(prepared, &options);
         let model = upload(gpu, prepared)?;
         let began = Instant::now();
-        let constants = &model.own().constants;
-        let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
-        let extent = prepared.bounds.clone().filtered(options.filter);
-        let capacity = Capacity::new(&options, &extent)?;
-        // The last vector stays zero.
-        let zeros = vec![0; 16 * PoseLayout::new(constants, capacity).total() as usize];
-        let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
-        let blocks = BlockRing::new(gpu, options.instances, constants)?;
-        let control = Buffer::with_data(
-            gpu,
-            "control",
-            bytes_of(&control(0)),
-            storage | vk::BufferUsageFlags::INDIRECT_BUFFER,
-        )?;
-        let memory = FrameMemory::new(blocks.slice()).with(Resource::Pose, &pose);
-        let variant = sort::choice::allowed(gpu, options.sort)?;
-        let project = Project::new(gpu, &model, &memory, variant, &options, capacity)?;
-        let sort_options = SortOptions {
-            counts: Some(project.counts()),
-            ..SortOptions::new(DEPTH_KEYS, variant)
-        };
-        let max_keys = project.capacity();
-        // SAFETY: the renderer owns these buffers, and drops them after its frames.
-        let sort = unsafe { Sort::new(gpu, project.keys(), &control, max_keys, sort_options) }?;
-        let inputs = RasterInputs {
-            memory: memory
-                .with(Resource::Order, sort.order())
-                .with(Resource::Splats, project.whole_buffer())
-                .with(Resource::Control, &control),
-            capacity: max_keys,
-            sort: variant,
-        };
-        let raster = Raster::new(gpu, &inputs, &options)?;
-        let sh = SphericalHarmonics::of_model(gpu, avatar, &model, &memory)?;
+        let capacity = Capacity::new(&options, &traits.bounds)?;
+        let sizes = SharedSizes::new(std::iter::once(&*model.own().constants), capacity);
+        let shared = SharedStages::new(gpu, &options, sizes, &model.own().constants, None)?;
+        let kernels = kernels(gpu, &traits, &model, &options, &shared)?;
         let renderer = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
-            mlp: Mlp::new(gpu, &model, &memory)?,
-            sh,
-            project,
-            sort,
-            raster,
-            control,
-            pose,
-            blocks,
-            extent,
-            capacity,
-            needs: PartDependencies::new(avatar),
-            model,
+            bounds: traits.bounds.clone(),
+            avatars: ByAvatar::new(HeldAvatar {
+                traits,
+                model,
+                kernels,
+            }),
+            shared,
             options,
             choice: None,
             state: FrameState::default(),
@@ -264,34 +211,96 @@ impl Renderer {
         Ok(renderer)
     }
 
-    /// Draws this avatar from now on, which has the lengths of the one before in every array, the
-    /// same capacity, and no spherical harmonics: kernels, bindings and image stay. Waits for
-    /// submitted frames. Returns false and changes nothing if the avatar needs a renderer of its
-    /// own.
+    /// Holds another avatar from now on, of which people can be drawn. Waits for submitted frames.
+    /// Adding one twice takes its memory twice: people of one avatar share it.
     ///
     /// # Errors
     /// When the device fails, or its memory does not suffice. Then nothing has changed.
-    pub fn replace_avatar(&mut self, prepared: &PreparedAvatar) -> Result<bool> {
-        let avatar = prepared.avatar;
-        let extent = prepared.bounds.clone().filtered(self.options.filter);
-        let has_sh = !self.sh.is_empty() || avatar.sh.is_some();
-        let packed = &prepared.packed;
-        let poses = [
-            self.model.own().constants.as_ref(),
-            &packed.sets[0].constants,
-        ]
-        .map(|constants| PoseLayout::new(constants, self.capacity).total());
-        if has_sh || poses[0] != poses[1] || Capacity::new(&self.options, &extent)? != self.capacity
-        {
-            return Ok(false);
-        }
+    pub fn add_avatar(&mut self, prepared: &PreparedAvatar) -> Result<AvatarId> {
         self.finish()?;
-        if !self.model.replace(&self.gpu, avatar, packed)? {
+        let traits = traits_of(prepared, &self.options);
+        let model = upload(&self.gpu, prepared)?;
+        let models = self.avatars.values().map(|held| &held.model);
+        let constants = models.chain([&model]).map(|model| &*model.own().constants);
+        let sizes = SharedSizes::new(constants, self.shared.sizes.capacity);
+        self.make_room(sizes)?;
+        let kernels = kernels(&self.gpu, &traits, &model, &self.options, &self.shared)?;
+        Ok(self.avatars.insert(HeldAvatar {
+            traits,
+            model,
+            kernels,
+        }))
+    }
+
+    /// Gives an avatar's memory back, after waiting for submitted frames: no person of it can be
+    /// drawn any more. False if it is not held.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn remove_avatar(&mut self, avatar: AvatarId) -> Result<bool> {
+        self.finish()?;
+        Ok(self.avatars.remove(avatar).is_some())
+    }
+
+    /// Makes the shared stages anew if these sizes are more than they have. Every frame must be
+    /// done. On failure all stays as it is.
+    fn make_room(&mut self, sizes: SharedSizes) -> Result<()> {
+        if self.shared.sizes.hold(&sizes) {
+            return Ok(());
+        }
+        let began = Instant::now();
+        let Some(any) = self.avatars.values().next() else {
+            unreachable!("somebody needs the room")
+        };
+        let sizes = sizes.union(self.shared.sizes);
+        let constants = &any.model.own().constants;
+        let shared = SharedStages::new(
+            &self.gpu,
+            &self.options,
+            sizes,
+            constants,
+            Some(&self.shared),
+        )?;
+        let bind = |held: &HeldAvatar| {
+            kernels(&self.gpu, &held.traits, &held.model, &self.options, &shared)
+        };
+        let bound: Vec<_> = self.avatars.values().map(bind).collect::<Result<_>>()?;
+        for (held, kernels) in self.avatars.values_mut().zip(bound) {
+            held.kernels = kernels;
+        }
+        self.shared = shared;
+        self.has_image = false;
+        self.key_count = None;
+        self.forget();
+        tracing::info!("made room for more in {:.1} ms", ms_since(began));
+        Ok(())
+    }
+
+    /// Draws this avatar in place of one that is held from now on, whose arrays have the same
+    /// lengths, and no spherical harmonics: kernels, bindings and image stay. Waits for submitted
+    /// frames. Returns false and changes nothing if it has to be added instead.
+    ///
+    /// # Errors
+    /// When the device fails, or its memory does not suffice. Then nothing has changed.
+    pub fn replace_avatar(&mut self, id: AvatarId, prepared: &PreparedAvatar) -> Result<bool> {
+        self.finish()?;
+        let avatar = prepared.avatar;
+        let traits = traits_of(prepared, &self.options);
+        let Some(held) = self.avatars.get_mut(id) else {
+            return Ok(false);
+        };
+        let has_sh = held.traits.has_sh || traits.has_sh;
+        if has_sh || Capacity::new(&self.options, &traits.bounds)? != self.shared.sizes.capacity {
             return Ok(false);
         }
-        self.extent = extent;
-        self.needs = PartDependencies::new(avatar);
-        self.blocks.forget_poses();
+        if !held.model.replace(&self.gpu, avatar, &prepared.packed)? {
+            return Ok(false);
+        }
+        if id == AvatarId::FIRST {
+            self.bounds = traits.bounds.clone();
+        }
+        held.traits = traits;
+        self.shared.blocks.forget_poses();
         self.has_image = false;
         self.forget();
         Ok(true)
@@ -302,23 +311,23 @@ impl Renderer {
         &self.gpu
     }
 
-    /// The avatar's bounds.
+    /// The bounds of the avatar that it was made with.
     pub fn bounds(&self) -> &AvatarBounds {
-        &self.extent
+        &self.bounds
     }
 
     fn equipment(&self) -> Equipment {
         Equipment {
-            sh: !self.sh.is_empty(),
+            sh: self.avatars.values().any(|held| held.traits.has_sh),
             supersampling: self.options.supersampling.is_on(),
-            method: self.raster.method(),
+            method: self.shared.raster.method(),
             skip: self.options.skip,
         }
     }
 
     /// The `raster` stage, which holds the image.
     pub fn raster(&self) -> &Raster {
-        &self.raster
+        &self.shared.raster
     }
 
     /// What the last finished frame took and drew: at most two frames old. A frame that needed
@@ -359,23 +368,24 @@ impl Renderer {
         camera: &Camera,
         presentation: Option<Presentation>,
     ) -> Result<()> {
-        self.draw_scene(&[posed], camera, presentation)
+        self.draw_scene(&[posed.into()], camera, presentation)
     }
 
-    /// Submits a frame of several avatars, at most [`RendererOptions::instances`], sorted together.
-    /// Caches and changes go by place in `poses`: keep each copy of the avatar at its place from
-    /// frame to frame. See [`Self::draw`].
+    /// Submits a frame of people, at most [`RendererOptions::instances`], sorted together. Caches and
+    /// changes go by place in `people`: keep everybody's from frame to frame. Where buffers are too
+    /// small it waits for submitted frames and makes larger ones. See [`Self::draw`].
     ///
     /// # Errors
-    /// When a pose or the camera holds a number that can't be drawn, there are more poses than the
-    /// renderer was made for, or the device fails.
+    /// When a pose or the camera holds a number that can't be drawn, a pose is another avatar's or
+    /// its avatar is not held, there are more people than the renderer was made for, or the device
+    /// fails or its memory does not suffice.
     pub fn draw_scene(
         &mut self,
-        poses: &[&Posed],
+        people: &[Person],
         camera: &Camera,
         mut presentation: Option<Presentation>,
     ) -> Result<()> {
-        validate::frame(poses, camera, &self.extent, &self.options)?;
+        self.make_room_for(people, camera)?;
         let frame = self.next;
         let began = Instant::now();
         self.finish_frame(frame)?;
@@ -389,12 +399,10 @@ impl Renderer {
             lost_image: self.lost_image.take(),
         };
         let plan = state.plan(PlanInput {
-            poses,
+            people: &self.planned(people)?,
             camera,
-            bounds: &self.extent,
-            dependencies: &self.needs,
             options: &self.options,
-            capacity: self.capacity,
+            capacity: self.shared.sizes.capacity,
             always_submit: presentation.is_some(),
         });
         if !plan.redraw && presentation.is_none() && before.lost_image.is_none() {
@@ -406,9 +414,9 @@ impl Renderer {
             return Ok(());
         }
         self.make_atlas(&plan)?;
-        if plan.stores_poses() && !self.project.has_cache() && !self.make_pose_cache()? {
+        if plan.stores_poses() && !self.shared.splats.has_cache() && !self.make_pose_cache()? {
             // Planned anew, and nothing is stored.
-            return self.draw_scene(poses, camera, presentation);
+            return self.draw_scene(people, camera, presentation);
         }
         let recording = section(c"record");
         let screen = presentation.as_mut().and_then(|own| own.screen.take());
@@ -423,7 +431,7 @@ impl Renderer {
         drop(recording);
         let recorded = Instant::now();
         let _submitting = section(c"submit");
-        let counts = self.count_sources();
+        let counts = self.shared.count_sources();
         // SAFETY: the frame is recording. What the stages use is dropped or changed only after
         // waiting for the frames in flight; the maker of the presentation promised it for the
         // presentation's objects and semaphores.
@@ -455,7 +463,7 @@ impl Renderer {
             && self.moves
             && plan.redraw
             && plan.atlas.is_none()
-            && screen.size == self.raster.drawn()
+            && screen.size == self.shared.raster.drawn()
     }
 
     /// Waits for the frame before the last, and takes its report. `frame`: its index.
@@ -471,11 +479,11 @@ impl Renderer {
     /// waiting for submitted frames.
     fn resize_lists(&mut self, frame: usize) -> Result<()> {
         if let Some(asked) = self.frames_in_flight[frame].take_list_blocks()
-            && let Some(blocks) = self.raster.other_blocks(asked)
+            && let Some(blocks) = self.shared.raster.other_blocks(asked)
         {
             self.finish()?;
             // SAFETY: every frame is done.
-            unsafe { self.raster.resize_lists(blocks) };
+            unsafe { self.shared.raster.resize_lists(blocks) };
         }
         Ok(())
     }
@@ -485,11 +493,11 @@ impl Renderer {
     fn make_atlas(&mut self, plan: &FramePlan) -> Result<()> {
         if let Some(atlas) = &plan.atlas
             && plan.redraw
-            && !self.raster.has_atlas(atlas.layer.size)
+            && !self.shared.raster.has_atlas(atlas.layer.size)
         {
             self.finish()?;
             // SAFETY: every frame is done.
-            unsafe { self.raster.make_atlas(atlas.layer.size) }?;
+            unsafe { self.shared.raster.make_atlas(atlas.layer.size) }?;
         }
         Ok(())
     }
@@ -503,15 +511,21 @@ impl Renderer {
         before: FrameBefore,
         screen: Option<&OnePassTarget>,
     ) -> Result<FrameSchedule> {
+        let SharedStages {
+            splats,
+            sort,
+            blocks,
+            sizes,
+            ..
+        } = &mut self.shared;
         let sources = blocks::BlockSources {
-            extent: &self.extent,
+            avatars: &self.avatars,
             options: &self.options,
-            capacity: self.capacity,
-            splats: &self.project,
-            sort: &self.sort,
-            model: &self.model,
+            pose: sizes.pose_layout(),
+            splats,
+            sort,
         };
-        self.blocks.write(frame, plan, camera, &sources);
+        blocks.write(frame, plan, camera, &sources);
         self.frames_in_flight[frame].begin()?;
         let device_state = DeviceState {
             key_count: before.key_count,
@@ -520,7 +534,7 @@ impl Renderer {
         let schedule = FrameSchedule::new(plan, &self.equipment(), device_state);
         // A screen holds nothing of the frame before.
         let damaged = before.damaged.filter(|_| screen.is_none());
-        let damage = Damage::new(plan.drawn_rect, damaged, self.raster.drawn());
+        let damage = Damage::new(plan.drawn_rect, damaged, self.shared.raster.drawn());
         self.execute(frame, &schedule, plan, &damage, screen);
         Ok(schedule)
     }
@@ -535,34 +549,27 @@ impl Renderer {
         screen: Option<&OnePassTarget>,
     ) {
         let stages = StageDispatches {
-            has_sh: !self.sh.is_empty(),
-            sort: schedule.runs(Stage::Sort) * self.sort.dispatches(true) as u64,
+            sort: schedule.runs(Stage::Sort) * self.shared.sort.dispatches(true) as u64,
             // Quads have no dispatches without the stages before them.
-            raster: schedule.runs(Stage::Binning) * self.raster.dispatches(),
+            raster: schedule.runs(Stage::Binning) * self.shared.raster.dispatches(),
         };
         let counters = Counters {
             damaged: if plan.redraw { damage.pixels() } else { 0 },
-            ..plan.counters(self.model.own().constants.gaussians, &stages)
+            ..plan.counters(&stages)
         };
         let draw = |layer: &Layer, target, damage| Draw {
             target,
             size: layer.size,
-            frame: self.blocks.of_layer(frame, layer),
-            control: self.control.raw(),
+            frame: self.shared.blocks.of_layer(frame, layer),
+            control: self.shared.control.raw(),
             damage,
             count: self.options.count,
         };
         let whole_atlas = plan.atlas.as_ref().map(|atlas| atlas.damage());
         let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {
-            mlp: &self.mlp,
-            sh: &self.sh,
-            project: &self.project,
-            sort: &self.sort,
-            raster: &self.raster,
-            control: &self.control,
-            counts: self.count_sources(),
-            blocks: &self.blocks,
+            avatars: &self.avatars,
+            shared: &self.shared,
             plan,
             frame,
             screen,
@@ -574,21 +581,12 @@ impl Renderer {
         executor.execute(in_flight, schedule);
     }
 
-    /// Where frames leave their counts.
-    fn count_sources(&self) -> CountSources {
-        CountSources {
-            control: (&self.control).into(),
-            reasons: self.project.reasons(),
-            list_blocks: self.raster.list_blocks(),
-        }
-    }
-
     /// Makes the memory of the pose cache, after waiting for submitted frames. Returns false if the
     /// device has no memory left: no pose is cached from now on.
     fn make_pose_cache(&mut self) -> Result<bool> {
         self.finish()?;
         // SAFETY: every frame is done, and all that binds the buffer gets the new one below.
-        let replacement = match unsafe { self.project.make_cache(&self.gpu) } {
+        let replacement = match unsafe { self.shared.splats.make_cache(&self.gpu) } {
             Ok(replacement) => replacement,
             Err(error) if error.leaves_the_device() => {
                 tracing::warn!("poses are not cached: {error}");
@@ -600,8 +598,10 @@ impl Renderer {
         // SAFETY: every frame is done; the stage before keeps the new buffer, which is laid out as
         // the old one was.
         unsafe {
-            self.sort.replace(replacement);
-            self.raster.replace(replacement);
+            self.shared.replace(replacement);
+            for held in self.avatars.values_mut() {
+                held.kernels.replace(replacement);
+            }
         }
         Ok(true)
     }
@@ -622,10 +622,33 @@ impl Renderer {
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
         self.finish()?;
         // SAFETY: every frame is done.
-        unsafe { self.raster.resize(size) }?;
+        unsafe { self.shared.raster.resize(size) }?;
         self.options.size = size;
         self.has_image = false;
         self.forget();
+        Ok(())
+    }
+
+    /// People with what is known of their avatars.
+    fn planned<'pose>(&self, people: &[Person<'pose>]) -> Result<Vec<PlannedPerson<'_, 'pose>>> {
+        let traits = |id| self.avatars.get(id).map(|held| &held.traits);
+        Ok(planned(people, traits)?)
+    }
+
+    /// Checks a frame, and makes the buffers larger if it needs that, after waiting for submitted
+    /// frames.
+    fn make_room_for(&mut self, people: &[Person], camera: &Camera) -> Result<()> {
+        let planned = self.planned(people)?;
+        validate::frame(&planned, camera, &self.options)?;
+        let bounds = planned.iter().map(|person| &person.traits.bounds);
+        let sizes = SharedSizes {
+            capacity: Capacity::of(&self.options, bounds)?,
+            ..self.shared.sizes
+        };
+        if !self.shared.sizes.hold(&sizes) {
+            self.finish()?;
+            self.make_room(sizes)?;
+        }
         Ok(())
     }
 
@@ -639,7 +662,7 @@ impl Renderer {
         if size == self.options.size && detail == self.options.detail {
             return Ok(());
         }
-        let capacity = self.raster.image().size;
+        let capacity = self.shared.raster.image().size;
         if !(0..2).all(|axis| (1..=capacity[axis]).contains(&size[axis])) {
             let [found, capacity] =
                 [size, capacity].map(|[width, height]| format!("{width} × {height} px"));
@@ -650,8 +673,8 @@ impl Renderer {
             }));
         }
         self.finish()?;
-        self.has_image &= self.raster.drawn() == size;
-        self.raster.draw_within(size);
+        self.has_image &= self.shared.raster.drawn() == size;
+        self.shared.raster.draw_within(size);
         self.options.size = size;
         self.options.detail = detail;
         self.forget();
@@ -683,21 +706,29 @@ impl Renderer {
             return Err(Error::NothingDrawn);
         }
         self.finish()?;
-        download::read_image(&self.gpu, &self.raster)
+        download::read_image(&self.gpu, &self.shared.raster)
     }
 
-    /// Waits, and copies every stage's output of the last frame to the host.
+    /// Waits, and copies every stage's output of the last frame to the host; of what is an avatar's,
+    /// that of the one that it was made with.
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
-        let sources = stages::StageSources {
-            model: &self.model,
-            pose: &self.pose,
-            control: &self.control,
-            splats: &self.project,
-            sort: &self.sort,
-        };
-        sources.download()
+        match self.avatars.get(AvatarId::FIRST) {
+            Some(held) => stages::download(&held.model, &self.shared),
+            None => Err(Error::NothingDrawn),
+        }
     }
+}
+
+/// The kernels of an avatar, bound to the stages that all share.
+fn kernels(
+    gpu: &Arc<Gpu>,
+    traits: &AvatarTraits,
+    model: &Model,
+    options: &RendererOptions,
+    shared: &SharedStages,
+) -> Result<AvatarKernels> {
+    AvatarKernels::new(gpu, traits, model, options, &shared.memory, &shared.splats)
 }
 
 fn upload(gpu: &Arc<Gpu>, prepared: &PreparedAvatar) -> Result<Model> {

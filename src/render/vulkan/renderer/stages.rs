@@ -1,11 +1,7 @@
 //! Outputs of a frame's stages, read back to the host.
 
-use crate::vulkan::{
-    device::error::Result,
-    memory::Buffer,
-    passes::{model::Model, project::Project},
-    sort::Sort,
-};
+use super::shared::SharedStages;
+use crate::vulkan::{device::error::Result, passes::model::Model};
 use effigy_core::layout::Control;
 use half::f16;
 
@@ -28,39 +24,28 @@ pub struct Stages {
     pub control: Control,
 }
 
-/// The buffers of a renderer that hold them. Every submitted frame must be done.
-pub(super) struct StageSources<'a> {
-    pub model: &'a Model,
-    pub pose: &'a Buffer,
-    pub control: &'a Buffer,
-    pub splats: &'a Project,
-    pub sort: &'a Sort,
-}
-
-impl StageSources<'_> {
-    /// Waits, and copies every stage's output of the last frame to the host.
-    pub fn download(&self) -> Result<Stages> {
-        let constants = &self.model.own().constants;
-        let features = 16 * (constants.parts * constants.feature_quads) as usize;
-        let nodes_end = features + 8 * constants.nodes as usize;
-        let pose = self.pose.download(nodes_end)?;
-        let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
-        let control: Control =
-            bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
-        let (splats, keys) = self.splats.download(control.key_count)?;
-        Ok(Stages {
-            features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: self
-                .model
-                .node_places
-                .iter()
-                .map(|&place| nodes[usize::from(place)].map(f16::to_f32))
-                .collect(),
-            colors: self.model.colors()?,
-            splats,
-            keys,
-            order: self.sort.download(control.visible_count)?,
-            control,
-        })
-    }
+/// Copies every stage's output of the last frame to the host. Every submitted frame must be done.
+/// `model`: of the avatar that the renderer was made with.
+pub(super) fn download(model: &Model, shared: &SharedStages) -> Result<Stages> {
+    let constants = &model.own().constants;
+    let features = 16 * (constants.parts * constants.feature_quads) as usize;
+    let nodes_end = features + 8 * constants.nodes as usize;
+    let pose = shared.pose.download(nodes_end)?;
+    let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
+    let control: Control =
+        bytemuck::pod_read_unaligned(&shared.control.download(size_of::<Control>())?);
+    let (splats, keys) = shared.splats.download(control.key_count)?;
+    Ok(Stages {
+        features: bytemuck::pod_collect_to_vec(&pose[..features]),
+        nodes: model
+            .node_places
+            .iter()
+            .map(|&place| nodes[usize::from(place)].map(f16::to_f32))
+            .collect(),
+        colors: model.colors()?,
+        splats,
+        keys,
+        order: shared.sort.download(control.visible_count)?,
+        control,
+    })
 }

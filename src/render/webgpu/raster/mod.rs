@@ -42,6 +42,25 @@ enum MethodKernels {
     Tiles(Box<Tiles>),
 }
 
+impl MethodKernels {
+    /// Those of the options' method, which draw to `image`, of the options' format and size.
+    fn new(
+        gpu: &Gpu,
+        blocks: &Blocks,
+        inputs: RasterInputs,
+        options: &RendererOptions,
+        image: &TextureView,
+    ) -> Result<Self> {
+        let method = options.method.unwrap_or(RasterMethod::Quads);
+        let texels = wgpu_format(options.color());
+        Ok(if method.is_tiles() {
+            Self::Tiles(Box::new(Tiles::new(gpu, blocks, inputs, texels, image)?))
+        } else {
+            Self::Quads(Box::new(Quads::new(gpu, blocks, inputs, texels, options)?))
+        })
+    }
+}
+
 /// The image of avatars that are drawn larger than they are shown, and the stage that averages it.
 struct AtlasImage {
     image: OwnedTexture,
@@ -74,24 +93,31 @@ impl Raster {
         inputs: RasterInputs,
         options: &RendererOptions,
     ) -> Result<Self> {
-        let method = options.method.unwrap_or(RasterMethod::Quads);
         let format = options.color();
         let image = create_image(gpu, format, options.size)?;
         let view = image.create_view(&Default::default());
-        let texels = wgpu_format(format);
-        let kernels = if method.is_tiles() {
-            MethodKernels::Tiles(Box::new(Tiles::new(gpu, blocks, inputs, texels, &view)?))
-        } else {
-            MethodKernels::Quads(Box::new(Quads::new(gpu, blocks, inputs, texels, options)?))
-        };
         Ok(Self {
-            method: kernels,
+            method: MethodKernels::new(gpu, blocks, inputs, options, &view)?,
             format,
             image,
             view,
             atlas: None,
             slots: options.instances,
         })
+    }
+
+    /// Draws from other inputs from now on, into the same image. On failure nothing has changed.
+    pub fn rebind(
+        &mut self,
+        gpu: &Gpu,
+        blocks: &Blocks,
+        inputs: RasterInputs,
+        options: &RendererOptions,
+    ) -> Result<()> {
+        self.method = MethodKernels::new(gpu, blocks, inputs, options, &self.view)?;
+        // Its kernels went with the others.
+        self.atlas = None;
+        Ok(())
     }
 
     /// Writes the options that the shaders read to the settings block.
