@@ -52,6 +52,8 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     // 1 / (1 − β₁ᵗ), 1 / (1 − β₂ᵗ) of what is learned from the start, and of what the correctives
     // are made of, which may begin later.
     vec4 adam_correction;
+    // The part of the view that another loss sees: first column and row, width and height, px.
+    uvec4 window;
 } block;
 
 #define GAUSSIANS block.counts.x

@@ -1,17 +1,18 @@
 //! Effigy's laboratory: the program `effigy-lab`, for those who develop Effigy or judge a device.
 //!
 //! - [`stress`] draws hard cases and compares them with the reference.
-//! - [`sorts`] is the report of the sort alone.
+//! - [`sorts`] is the report of the sort alone, [`training`] that of training.
 //! - [`verdict`] joins a run's measurements on one GPU to one report.
 //! - `commands` has the subcommands.
 
 mod commands;
 pub mod sorts;
 pub mod stress;
+pub mod training;
 pub mod verdict;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
-use commands::{bench_device, bench_sort};
+use commands::{bench_device, bench_sort, bench_train};
 use effigy_cli::program::{self, GlobalArgs};
 use std::process::ExitCode;
 
@@ -33,6 +34,8 @@ enum LabCommand {
     BenchSort(bench_sort::Args),
     /// Measure the GPU itself: bandwidth of copies, and fill rates
     BenchDevice(bench_device::Args),
+    /// Measure training: steps a second with the perceptual loss and without it
+    BenchTrain(bench_train::Args),
     /// Print what the driver's compiler makes of every shader: instructions, registers and spills
     ShaderStats(commands::shader_stats::Args),
     /// Join what tools/gpu/run.sh measured on a GPU to one report
@@ -47,6 +50,7 @@ pub fn main() -> ExitCode {
             LabCommand::Stress(args) => commands::stress::run(args),
             LabCommand::BenchSort(args) => bench_sort::run(args),
             LabCommand::BenchDevice(args) => bench_device::run(args),
+            LabCommand::BenchTrain(args) => bench_train::run(args),
             LabCommand::ShaderStats(args) => commands::shader_stats::run(args),
             LabCommand::Verdict(args) => commands::verdict::run(args),
         }

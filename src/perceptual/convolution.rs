@@ -25,6 +25,7 @@ thread_local! {
 /// A convolution and its weights.
 #[derive(Clone, Debug)]
 pub struct Convolution {
+    /// Its shape.
     pub shape: ConvolutionShape,
     /// Shape: to · from · window · window.
     pub weight: Vec<f32>,
@@ -56,6 +57,10 @@ fn tasks(size: [usize; 2], channels: usize) -> Vec<Task> {
 }
 
 impl Convolution {
+    /// A convolution with these weights.
+    ///
+    /// # Panics
+    /// When there are not as many as the shape says.
     pub fn new(shape: ConvolutionShape, weight: Vec<f32>, bias: Vec<f32>) -> Self {
         assert!(weight.len() == shape.to * shape.fan() && bias.len() == shape.to);
         Self {

@@ -4,8 +4,9 @@
 use crate::maps::Maps;
 use rayon::prelude::*;
 
-/// What networks take from colours of -1 to 1, and divide them by then.
+/// What networks take from colours of -1 to 1, RGB. Then they divide them by [`SCALE`].
 pub const SHIFT: [f32; 3] = [-0.030, -0.088, -0.188];
+/// What networks divide colours by, RGB.
 pub const SCALE: [f32; 3] = [0.458, 0.448, 0.450];
 /// Added to lengths.
 const EPSILON: f32 = 1e-10;
@@ -48,7 +49,9 @@ pub fn unit(maps: &Maps) -> Maps {
 
 /// A distance and its gradient with respect to the first features.
 pub struct Distance {
+    /// The distance.
     pub value: f64,
+    /// The gradient, where it was asked for.
     pub gradient: Option<Maps>,
 }
 

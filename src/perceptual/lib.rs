@@ -5,23 +5,24 @@
 //! ST-LPIPS and LPIPS compare what a convolutional network sees in two pictures. Its weights are
 //! frozen, so that there is one gradient alone, with respect to the picture; everything is worked
 //! out here in f32 on the CPU, with the same bits on every run and for any number of threads. The
-//! numbers of one can't be compared with those of the other.
+//! numbers of one can't be compared with those of the other. `effigy_train` has the steps of the
+//! networks as kernels too, and holds them against these.
 
-mod blur;
+pub mod blur;
 mod check;
-mod convolution;
+pub mod convolution;
 mod dssim;
 mod error;
 mod gemm;
-mod head;
-mod maps;
-mod network;
+pub mod head;
+pub mod maps;
+pub mod network;
 mod perceptual;
 mod planes;
-mod pool;
+pub mod pool;
 mod reference;
 mod synthetic;
-mod thin;
+pub mod thin;
 mod weights;
 
 pub use dssim::{dssim, dssim_and_gradient};
@@ -31,3 +32,4 @@ pub use perceptual::{Perceptual, TargetFeatures};
 pub use planes::{Graded, Planes};
 pub use reference::Differential;
 pub use synthetic::{direction, picture};
+pub use weights::Weights;

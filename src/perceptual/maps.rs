@@ -5,6 +5,7 @@ use rayon::prelude::*;
 /// Feature maps: a plane a channel.
 #[derive(Clone, Debug)]
 pub struct Maps {
+    /// Channels.
     pub channels: usize,
     /// Width and height.
     pub size: [usize; 2],
@@ -13,6 +14,7 @@ pub struct Maps {
 }
 
 impl Maps {
+    /// Zeros. `size`: width and height.
     pub fn zeros(channels: usize, size: [usize; 2]) -> Self {
         Self {
             channels,

@@ -58,8 +58,9 @@ pub enum NetworkStep {
 pub struct ConvolutionShape {
     /// Its name in files of weights.
     pub name: &'static str,
-    /// Channels that it reads and writes.
+    /// Channels that it reads.
     pub from: usize,
+    /// Channels that it writes.
     pub to: usize,
     /// Its window's side, px.
     pub window: usize,
@@ -94,7 +95,8 @@ const fn convolve(
 
 /// Layers of a network: after each, features are compared.
 pub const LAYERS: usize = 5;
-type Layers = [&'static [NetworkStep]; LAYERS];
+/// The steps of each layer of a network.
+pub type Layers = [&'static [NetworkStep]; LAYERS];
 
 const ALEX: Layers = [
     &[
@@ -343,7 +345,8 @@ impl Network {
         files.find(|file| !folder.join(file.name).exists()).copied()
     }
 
-    pub(crate) const fn layers(self) -> &'static Layers {
+    /// Its steps, layer by layer.
+    pub const fn layers(self) -> &'static Layers {
         match self {
             Self::Alex => &ALEX,
             Self::Vgg => &VGG,
@@ -362,7 +365,7 @@ impl Network {
     }
 
     /// Channels of each layer's features.
-    pub(crate) const fn widths(self) -> [usize; LAYERS] {
+    pub const fn widths(self) -> [usize; LAYERS] {
         match self {
             Self::Alex | Self::LpipsAlex => [64, 192, 384, 256, 256],
             Self::Vgg | Self::LpipsVgg => [64, 128, 256, 512, 512],

@@ -86,6 +86,11 @@ impl Perceptual {
         }
     }
 
+    /// Its weights.
+    pub fn weights(&self) -> &Weights {
+        &self.weights
+    }
+
     /// Which network it is.
     pub fn network(&self) -> Network {
         self.network

@@ -1,10 +1,13 @@
 //! The perceptual loss of a part of a view, with its derivative.
 
+use crate::gpu::{AskedPart, ImageLossMemory, StepLosses, StepOptions, Trainer};
 use crate::recipe::{PerceptualKind, PerceptualOptions};
 use crate::view::{Shows, TrainingView};
 use effigy_core::random::Random;
 use effigy_perceptual::{Graded, Network, Perceptual, PerceptualError, Planes, dssim_and_gradient};
+use effigy_render::vulkan::{Error as GpuError, Gpu};
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 /// The perceptual loss of views.
 pub struct PerceptualLoss {
@@ -19,6 +22,15 @@ pub struct PerceptualTerm {
     pub value: f64,
     /// Derivative of the weighted loss with respect to each pixel of the view, RGB.
     pub gradient: Vec<[f32; 3]>,
+}
+
+/// What a step with the loss found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerceptualStep {
+    /// The other losses.
+    pub losses: StepLosses,
+    /// The loss's mean over the views, before its weight.
+    pub value: f64,
 }
 
 /// A part of a view: its first column and row, and its sides, px.
@@ -54,11 +66,20 @@ impl PerceptualLoss {
             }
             None => None,
         };
-        Ok(Some(Self {
+        Ok(Some(Self::with_network(network, options, seed)))
+    }
+
+    /// The loss of a network whatever its weights, which are not checked; None: D-SSIM.
+    pub fn with_network(
+        network: Option<Perceptual>,
+        options: &PerceptualOptions,
+        seed: u64,
+    ) -> Self {
+        Self {
             network,
             options: options.clone(),
             seed,
-        }))
+        }
     }
 
     /// Compares a part of an image with the same part of a view's picture. `image`: RGB of every
@@ -95,10 +116,7 @@ impl PerceptualLoss {
             Some(network) => network.value_and_gradient(&drawn, &network.features(&truth)),
             None => dssim_and_gradient(&drawn, &truth),
         };
-        // The part stands for the view, and what is cut away around it shows nobody: the mean over
-        // the whole picture, as of L1.
-        let of_whole = image.len() as f64 / view.whole as f64;
-        let weight = (self.options.weight * self.options.every as f64 * of_whole) as f32;
+        let weight = self.weight(view) as f32;
         let mut of_image = vec![[0.0; 3]; image.len()];
         for y in 0..rows {
             for x in 0..columns {
@@ -116,6 +134,90 @@ impl PerceptualLoss {
         })
     }
 
+    /// The weight of the loss of a part of a view. The part stands for the view, and what is cut away
+    /// around it shows nobody: the mean over the whole picture, as of L1.
+    fn weight(&self, view: &TrainingView) -> f64 {
+        let of_whole = view.picture.pixels.len() as f64 / view.whole as f64;
+        self.options.weight * self.options.every as f64 * of_whole
+    }
+
+    /// The part of a view that [`Self::compare`] looks at, and its weight.
+    fn part(&self, view: &TrainingView, place: u64) -> Option<AskedPart> {
+        let window = self.window(view, place)?;
+        Some(AskedPart {
+            first: window.first.map(|at| at as u32),
+            weight: self.weight(view),
+        })
+    }
+
+    /// The size of parts of views, px.
+    fn part_size(&self, view: [u32; 2]) -> [usize; 2] {
+        view.map(|side| side.min(self.options.window) as usize)
+    }
+
+    fn needs(&self, view: [u32; 2], views: usize) -> ImageLossMemory {
+        let network = self.network.as_ref().map(Perceptual::network);
+        ImageLossMemory::new(network, self.part_size(view), views)
+    }
+
+    /// Device memory that the loss takes where the device works it out, bytes. `view`: the size of
+    /// views, px; `views`: of a step.
+    pub fn memory(&self, view: [u32; 2], views: usize) -> u64 {
+        self.needs(view, views).bytes
+    }
+
+    /// Whether a device should work out the loss. On CPU drivers the CPU's networks are faster
+    /// (docs/experiments/076), and some devices' buffers are too small for feature maps.
+    pub fn suits(&self, gpu: &Gpu, view: [u32; 2], views: usize) -> bool {
+        let limit = u64::from(gpu.probe.limits.max_storage_buffer_range);
+        !gpu.probe.is_cpu() && self.needs(view, views).largest <= limit
+    }
+
+    /// Hands the loss over to the trainer's device. `view`: the size of views.
+    ///
+    /// # Errors
+    /// When the device has too little memory.
+    pub fn hand_over(&self, trainer: &mut Trainer, view: [u32; 2]) -> Result<(), GpuError> {
+        trainer.add_image_loss(self.network.as_ref(), self.part_size(view))
+    }
+
+    /// A step with the loss. Where it was handed over, the step is one submission; otherwise the
+    /// CPU compares each view's image in between. `place`: of the first view in the training. None
+    /// where `stop` was set before its end: nothing is learned then.
+    ///
+    /// # Panics
+    /// Where [`Trainer::step`] does.
+    pub fn step(
+        &self,
+        trainer: &mut Trainer,
+        views: &[TrainingView],
+        options: &StepOptions,
+        place: u64,
+        stop: &AtomicBool,
+    ) -> Result<Option<PerceptualStep>, GpuError> {
+        let mut value = 0.0;
+        let losses = if trainer.has_image_loss() {
+            let parts = (place..).zip(views);
+            let parts: Vec<Option<AskedPart>> =
+                parts.map(|(place, view)| self.part(view, place)).collect();
+            let losses = trainer.step_with_parts(views, options, &parts)?;
+            for (number, _) in parts.iter().enumerate().filter(|(_, part)| part.is_some()) {
+                value += trainer.part_loss(number);
+            }
+            Some(losses)
+        } else {
+            trainer.step_with_image_loss(views, options, stop, |number, image| {
+                let term = self.compare(&views[number], place + number as u64, image)?;
+                value += term.value;
+                Some(term.gradient)
+            })?
+        };
+        Ok(losses.map(|losses| PerceptualStep {
+            losses,
+            value: value / views.len() as f64,
+        }))
+    }
+
     /// A part around a pixel of the person, as near to it as the view allows.
     fn window(&self, view: &TrainingView, place: u64) -> Option<ImageWindow> {
         let people: Vec<usize> = (0..view.picture.pixels.len())
@@ -124,7 +226,7 @@ impl PerceptualLoss {
         let mut random = Random::new(self.seed ^ 0xA5CE_D105, place);
         let middle = *people.get((random.uniform() * people.len() as f64) as usize)?;
         let sides = view.picture.size.map(|side| side as usize);
-        let size = sides.map(|side| side.min(self.options.window as usize));
+        let size = self.part_size(view.picture.size);
         let middle = [middle % sides[0], middle / sides[0]];
         let first = std::array::from_fn(|axis| {
             let low = middle[axis].saturating_sub(size[axis] / 2);

@@ -184,7 +184,10 @@ impl TrainingSession {
         announce(&TrainingPlan {
             pictures: views.len(),
             view_size: views.size(),
-            memory_bytes: memory_bytes(&topology, &checkpoint.rows, views.size(), batch),
+            memory_bytes: memory_bytes(&topology, &checkpoint.rows, views.size(), batch)
+                + (perceptual.as_ref())
+                    .filter(|loss| loss.suits(gpu, views.size(), batch))
+                    .map_or(0, |loss| loss.memory(views.size(), batch)),
             steps,
             check,
         });
@@ -202,7 +205,8 @@ impl TrainingSession {
             })?;
         }
         let (state, rows) = (&checkpoint.state, &checkpoint.rows);
-        let trainer = Trainer::new(gpu, &topology, rows, state, views.size(), batch)?;
+        let loss = perceptual.as_ref();
+        let trainer = new_trainer(gpu, &topology, rows, state, views.size(), batch, loss)?;
         for name in [log::LOG, watch::LOG] {
             log::cut(&options.folder, name, steps)?;
         }
@@ -441,20 +445,12 @@ impl TrainingSession {
         let trainer = self.trainer.as_mut().ok_or(TrainError::Ended)?;
         let found = match &self.perceptual {
             Some(perceptual) if adds_perceptual => {
-                let place = self.place;
-                let mut value = 0.0;
-                let found =
-                    trainer.step_with_image_loss(views, &options, stop, |number, image| {
-                        let term =
-                            perceptual.compare(&views[number], place + number as u64, image)?;
-                        value += term.value / views.len() as f64;
-                        Some(term.gradient)
-                    })?;
+                let found = perceptual.step(trainer, views, &options, self.place, stop)?;
                 let Some(found) = found else {
                     return Ok(false);
                 };
-                sums.perceptual = Some(value);
-                found
+                sums.perceptual = Some(found.value);
+                found.losses
             }
             _ => trainer.step(views, &options)?,
         };
@@ -673,14 +669,10 @@ impl TrainingSession {
         // resumes from the checkpoint.
         self.ended_at = self.steps();
         self.trainer = None;
-        self.trainer = Some(Trainer::new(
-            &self.gpu,
-            &self.topology,
-            &kept,
-            &state,
-            self.views.size(),
-            self.recipe.schedule.batch,
-        )?);
+        let (size, batch) = (self.views.size(), self.recipe.schedule.batch);
+        let (gpu, loss) = (&self.gpu, self.perceptual.as_ref());
+        let trainer = new_trainer(gpu, &self.topology, &kept, &state, size, batch, loss)?;
+        self.trainer = Some(trainer);
         self.rows = kept;
         self.pruned = true;
         Ok(())
@@ -755,6 +747,23 @@ impl TrainingSession {
         is_unsaved.store(false, Ordering::SeqCst);
         Ok(checkpoint.state)
     }
+}
+
+/// A trainer that works out the perceptual loss too, where its device should.
+fn new_trainer(
+    gpu: &Arc<Gpu>,
+    topology: &Topology,
+    rows: &CorrectiveRows,
+    state: &TrainerState,
+    size: [u32; 2],
+    batch: usize,
+    perceptual: Option<&PerceptualLoss>,
+) -> Result<Trainer, TrainError> {
+    let mut trainer = Trainer::new(gpu, topology, rows, state, size, batch)?;
+    if let Some(loss) = perceptual.filter(|loss| loss.suits(gpu, size, batch)) {
+        loss.hand_over(&mut trainer, size)?;
+    }
+    Ok(trainer)
 }
 
 /// What a session is set up from.

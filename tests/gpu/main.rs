@@ -7,6 +7,7 @@ mod common;
 mod clocks;
 mod devices;
 mod memory;
+mod perceptual;
 mod preflight;
 mod present;
 mod question;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
             stages::scene,
             stages::stress,
             train,
+            perceptual,
             preflight,
             question,
             clocks,

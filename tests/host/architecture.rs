@@ -197,7 +197,7 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/lab",
-        modules: &["sorts", "stress", "verdict", "commands"],
+        modules: &["sorts", "training", "stress", "verdict", "commands"],
     },
     Layers {
         package: "src/math",

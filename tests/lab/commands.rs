@@ -20,6 +20,7 @@ fn its_help_names_every_command() {
         "stress",
         "bench-sort",
         "bench-device",
+        "bench-train",
         "shader-stats",
         "verdict",
     ] {
@@ -36,6 +37,7 @@ fn outputs_are_checked_before_the_work() {
         "stress",
         "bench-sort",
         "bench-device",
+        "bench-train",
         "shader-stats",
         "verdict .",
     ] {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Gives a verdict on this machine's GPU, offline, in at most 9 minutes: tests with validation, sorts, rates, frames, a soak.
+# Gives a verdict on this machine's GPU, offline, in at most 9 minutes: tests with validation, sorts, rates, frames, training, a soak.
 # Every step has a time limit, and the next one runs whatever became of it. A step that did not run never counts as passed.
 # usage: run.sh OUT_DIR      writes OUT_DIR/verdict.json, verdict.md and logs.tar.gz; fails if a step did not pass
 #   EFFIGY_GPU_SECONDS  time for everything [default: 530, and 1200 to rehearse]
@@ -56,12 +56,12 @@ if [ -n "${EFFIGY_GPU_SHORT:-}" ]; then
   body=() total=${EFFIGY_GPU_SECONDS:-1200} slower=3
   frames=(--size 192x192 --frames 3 --check 1 --spread 0) sweep=(--rounds 1)
   sorts=(--max-keys 16384 --keys 22 --runs 2) rates=(--size 256x256 --max-copy 8 --min-ms 2)
-  soak_seconds=12 soak=(--size 192x192 --fps 0.5 --late 90) tests=(rates::)
+  soak_seconds=12 soak=(--size 192x192 --fps 0.5 --late 90) tests=(rates::) train=(--size 128x128 --views 2 --window 64 --seconds 1)
 else
   total=${EFFIGY_GPU_SECONDS:-530} slower=1
   frames=(--size 2048x2048 --check 1 --spread 0) sweep=(--frames 16 --rounds 2)
   sorts=() rates=()
-  soak_seconds=120 soak=(--size 2048x2048) tests=()
+  soak_seconds=120 soak=(--size 2048x2048) tests=() train=(--seconds 12)
 fi
 
 # Name and most seconds of each step, in the order in which they run.
@@ -72,6 +72,7 @@ sorts 120
 frames-quads 60
 frames-tiles 60
 tests 150
+train 75
 frames-cameras 30
 exact-quads 45
 exact-tiles 45
@@ -98,6 +99,7 @@ do_step() { # NAME SECONDS
         VK_LAYER_PATH=$here/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1 EFFIGY_VALIDATION=1 \
           EFFIGY_PROGRAM=$here/bin/effigy EFFIGY_TEST_SECONDS=60 EFFIGY_TEST_LABEL=gpu EFFIGY_TEST_RESULTS=$work/tests.txt "$here/bin/gpu-tests" "${tests[@]}"
       ;;
+    train) "$here/bin/effigy-lab" bench-train "${body[@]:0:1}" "${train[@]}" --json "$work/training.json" ;;
     frames-quads) bench quads --raster quads --case "$cases" ;;
     frames-tiles) bench tiles --raster tiles-shared --case "$cases" ;;
     frames-cameras) bench cameras --cameras "$here/data/cameras.json" --case full ;;
@@ -116,7 +118,7 @@ do_step() { # NAME SECONDS
 export -f bench do_step
 
 # A step in a shell of its own, so that its time limit covers all of it. Arrays are not exported: they travel as text.
-settings=$(declare -p work here effigy body cases frames sweep sorts rates soak soak_seconds tests)
+settings=$(declare -p work here effigy body cases frames sweep sorts rates soak soak_seconds tests train)
 run_step() { # NAME LIMIT
   local name=$1 limit=$(($2 * slower)) left=$((total - verdict_seconds - SECONDS)) begin=$SECONDS code=0 outcome note=''
   [ "$name" = soak ] || left=$((left - soak_reserve))

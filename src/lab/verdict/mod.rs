@@ -16,7 +16,10 @@ pub use named_bench::NamedBench;
 pub use test_results::{NotRun, TestResults};
 pub use traffic::StageTraffic;
 
-use crate::sorts::{self, SortsReport};
+use crate::{
+    sorts::{self, SortsReport},
+    training::{self, TrainingReport},
+};
 use effigy_core::frame::SortVariant;
 use effigy_measure::{
     bench::{self, BenchReport},
@@ -60,6 +63,9 @@ pub struct Verdict {
     pub self_test: Vec<Tried<SortVariant>>,
     /// The sort's matrix.
     pub sorts: Option<SortsReport>,
+    /// Steps of a training a second.
+    #[serde(default)]
+    pub training: Option<TrainingReport>,
     /// Cases and sweeps.
     pub benches: Vec<NamedBench>,
     /// The soak.
@@ -122,6 +128,7 @@ impl Verdict {
             devices: files.json("devices.json"),
             self_test: Vec::new(),
             sorts,
+            training: files.report("training.json", training::SCHEMA),
             soak: files.report("soak.json", soak::report::SCHEMA),
             traffic: traffic::traffic(&benches, rates.as_ref()),
             rates,
@@ -174,6 +181,7 @@ impl From<SurveyReport> for Verdict {
             devices: None,
             self_test: survey.sorts,
             sorts: None,
+            training: None,
             soak: survey.soak,
             traffic: traffic::traffic(&benches, survey.rates.as_ref()),
             rates: survey.rates,

@@ -1,7 +1,10 @@
 //! A verdict as a page of Markdown.
 
 use super::{Verdict, named_bench::NamedBench, test_results::TestResults, traffic::StageTraffic};
-use crate::sorts::{SortRow, SortsReport};
+use crate::{
+    sorts::{SortRow, SortsReport},
+    training::TrainingReport,
+};
 use effigy_measure::{
     bench::report::{CaseReport, ErrorReport, SweepReport},
     rates::RatesReport,
@@ -39,6 +42,9 @@ impl Verdict {
             frame_section(&mut page, &self.benches);
         }
         traffic_section(&mut page, &self.traffic);
+        if let Some(training) = &self.training {
+            training_section(&mut page, training);
+        }
         if let Some(soak) = &self.soak {
             soak_section(&mut page, soak);
         }
@@ -195,6 +201,28 @@ fn sort_section(page: &mut Page, sorts: &SortsReport) {
         .collect();
     if !failures.is_empty() {
         page.paragraph(&format!("Wrong: {}.", some(&failures)));
+    }
+}
+
+fn training_section(page: &mut Page, training: &TrainingReport) {
+    page.heading("Training");
+    let [width, height] = training.size;
+    page.paragraph(&format!(
+        "{} Gaussians with all basis rows, {} views of {width} × {height} a step, ST-LPIPS (alex) on \
+         windows of {} px, by what works it out; {:.0} MB.",
+        training.gaussians,
+        training.views,
+        training.window,
+        training.memory_bytes as f64 / 1e6
+    ));
+    page.table(&["perceptual loss", "ms a step", "steps a second", ""]);
+    for row in &training.rows {
+        page.row([
+            row.loss.clone(),
+            figure(row.ms),
+            figure(row.steps_a_second),
+            if row.is_chosen { "chosen" } else { "" }.to_owned(),
+        ]);
     }
 }
 

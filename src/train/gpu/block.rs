@@ -33,6 +33,7 @@ blocks! {
         image: ImageBlock,
         networks: NetworkBlock,
         update: UpdateBlock,
+        window: WindowBlock,
     }
 
     /// From `view_rows` to `gain`.
@@ -124,6 +125,12 @@ blocks! {
         main_correction: [f32; 2],
         corrective_correction: [f32; 2],
     }
+
+    /// `window`.
+    WindowBlock {
+        first: [u32; 2],
+        size: [u32; 2],
+    }
 }
 
 /// Bytes from one view's block to the next: a multiple of every device's alignment.
@@ -170,8 +177,10 @@ pub(super) struct ViewBand {
     pub band: u32,
     /// Views of the step.
     pub views: usize,
-    /// Whether another loss adds a derivative of the view's image.
-    pub has_image_loss: bool,
+    /// The weight of the derivative of the view's image that another loss adds.
+    pub image_loss: f64,
+    /// The part of the view that the loss sees, where a kernel works it out.
+    pub window: WindowBlock,
 }
 
 /// How often the numbers that learn from the start, and those of the correctives, have been
@@ -211,6 +220,7 @@ impl ViewBlock {
                 ..NetworkBlock::new(topology, layout)
             },
             update: UpdateBlock::new(&options.rates, &options.adam, updates),
+            window: band.window,
         }
     }
 }
@@ -264,7 +274,7 @@ impl LossBlock {
             l1: (weights.l1 / (channels * views)) as f32,
             scale: (weights.scale / (3.0 * count * views)) as f32,
             scale_above: weights.scale_above as f32,
-            image_loss: (f64::from(u8::from(band.has_image_loss)) / views) as f32,
+            image_loss: (band.image_loss / views) as f32,
             correctives: floats([
                 weights.correctives[0] / (4.0 * count * views),
                 weights.correctives[1] / (3.0 * count * views),

@@ -242,7 +242,8 @@ mod tests {
     #[test]
     fn kernels_bind_what_their_shaders_name() {
         let all = [Kernels::table(), PairKernels::table()].concat();
-        assert_eq!(all.len(), shaders::MODULES.len());
+        let own = |module: &&&Module| module.file.starts_with("train/");
+        assert_eq!(all.len(), shaders::MODULES.iter().filter(own).count());
         for (module, bindings) in all {
             let arrays = arrays(module.file);
             assert_eq!(arrays.len(), bindings.len(), "{}", module.file);

@@ -37,4 +37,16 @@ modules! {
     ADAM_BASES = "train/adam_bases.comp";
     ADAM_NODES = "train/adam_nodes.comp";
     ADAM_NETWORKS = "train/adam_networks.comp";
+    CROP = "perceptual/crop.comp";
+    CONVOLVE = "perceptual/convolve.comp";
+    BLUR = "perceptual/blur.comp";
+    BLUR_BACKWARD = "perceptual/blur_backward.comp";
+    POOL = "perceptual/pool.comp";
+    POOL_BACKWARD = "perceptual/pool_backward.comp";
+    THIN = "perceptual/thin.comp";
+    THIN_BACKWARD = "perceptual/thin_backward.comp";
+    DISTANCE = "perceptual/distance.comp";
+    DSSIM = "perceptual/dssim.comp";
+    DSSIM_BACKWARD = "perceptual/dssim_backward.comp";
+    ASKED = "perceptual/asked.comp";
 }

@@ -1,8 +1,9 @@
 //! The steps of a training on a device.
 
 use super::arrays::placed_words;
-use super::block::{STRIDE, StepOptions, Updates, ViewBand, ViewBlock};
-use super::buffers::{Batch, LossSums, TrainerBuffers, groups};
+use super::block::{STRIDE, StepOptions, Updates, ViewBand, ViewBlock, WindowBlock};
+use super::buffers::{Batch, HostInputs, LossSums, TrainerBuffers, groups};
+use super::image_loss::{AskedPart, ImageLoss};
 use super::kernels::{KernelSource, Kernels};
 use super::state::TrainerState;
 use super::tiles::PairStage;
@@ -12,9 +13,11 @@ use crate::topology::{CorrectiveRows, Topology};
 use crate::view::TrainingView;
 use bytemuck::{bytes_of, cast_slice};
 use effigy_core::layout::{TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_RECORD, TRAIN_WIDTH_MAX};
+use effigy_perceptual::Perceptual;
 use effigy_render::vulkan::compute::{Buffer, Recording, Scope};
 use effigy_render::vulkan::{Error, Gpu, Result};
 use glam::{DAffine3, DVec3};
+use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -41,6 +44,13 @@ pub struct StepLosses {
     pub empty_views: u32,
 }
 
+/// What another loss asks of a view's image.
+#[derive(Clone, Copy, Default)]
+struct Asked {
+    weight: f64,
+    window: WindowBlock,
+}
+
 /// A training on a device: steps of Adam along the derivative of pictures' losses.
 ///
 /// Every sum has a fixed order: on one device, equal steps give equal bits.
@@ -48,6 +58,7 @@ pub struct Trainer {
     // Kernels go before what they are bound to.
     kernels: Kernels,
     pairs: PairStage,
+    image_loss: Option<ImageLoss>,
     buffers: TrainerBuffers,
     gpu: Arc<Gpu>,
     topology: Topology,
@@ -112,6 +123,7 @@ impl Trainer {
         Ok(Self {
             kernels,
             pairs,
+            image_loss: None,
             buffers,
             gpu: gpu.clone(),
             topology: topology.clone(),
@@ -151,6 +163,29 @@ impl Trainer {
         self.steps
     }
 
+    /// Gives it a loss of parts of views that the device works out: see [`Self::step_with_parts`].
+    /// `network`: None for D-SSIM; `size`: of each part, px.
+    ///
+    /// # Errors
+    /// When the device has too little memory.
+    pub fn add_image_loss(&mut self, network: Option<&Perceptual>, size: [usize; 2]) -> Result<()> {
+        let new = ImageLoss::new(&self.gpu, &self.buffers, self.batch, network, size)?;
+        self.image_loss = Some(new);
+        Ok(())
+    }
+
+    /// Whether it has a loss of parts of views.
+    pub fn has_image_loss(&self) -> bool {
+        self.image_loss.is_some()
+    }
+
+    /// The loss of the part of a view of the last step, before its weight; 0 without one.
+    pub fn part_loss(&mut self, view: usize) -> f64 {
+        self.image_loss
+            .as_mut()
+            .map_or(0.0, |loss| loss.value(view))
+    }
+
     /// A step along the derivative of the views' losses. Where the pairs of a view don't fit, their
     /// capacity grows and the step is taken again: no pair is dropped.
     ///
@@ -158,12 +193,26 @@ impl Trainer {
     /// When there are no views or more than the trainer was made for, or a view has another size or
     /// avatar.
     pub fn step(&mut self, views: &[TrainingView], options: &StepOptions) -> Result<StepLosses> {
+        self.step_with_parts(views, options, &[])
+    }
+
+    /// A step with the loss of [`Self::add_image_loss`] too. `parts`: of each view the part that the
+    /// loss sees, None where it sees none.
+    ///
+    /// # Panics
+    /// Where [`Self::step`] does, or a part is not inside its view.
+    pub fn step_with_parts(
+        &mut self,
+        views: &[TrainingView],
+        options: &StepOptions,
+        parts: &[Option<AskedPart>],
+    ) -> Result<StepLosses> {
         self.assert_fits(views);
         loop {
-            self.write(views, options);
+            self.write(views, options, parts);
             self.gpu.run("a step", |commands| {
                 Self::record_start(commands);
-                self.record_views(commands, views.len(), options.joints);
+                self.record_views(commands, views.len(), options.joints, parts);
                 self.record_update(commands, views.len());
             })?;
             if !self.grow_pairs()? {
@@ -180,10 +229,10 @@ impl Trainer {
     pub fn look(&mut self, views: &[TrainingView], options: &StepOptions) -> Result<StepLosses> {
         self.assert_fits(views);
         loop {
-            self.write(views, options);
+            self.write(views, options, &[]);
             self.gpu.run("a look", |commands| {
                 Self::record_start(commands);
-                self.record_views(commands, views.len(), options.joints);
+                self.record_views(commands, views.len(), options.joints, &[]);
                 commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
             })?;
             if !self.grow_pairs()? {
@@ -207,7 +256,7 @@ impl Trainer {
         mut image_loss: impl FnMut(usize, &[[f32; 3]]) -> Option<Vec<[f32; 3]>>,
     ) -> Result<Option<StepLosses>> {
         self.assert_fits(views);
-        self.write(views, options);
+        self.write(views, options, &[]);
         for (number, view) in views.iter().enumerate() {
             // Pairs must fit before an image is used.
             loop {
@@ -222,7 +271,7 @@ impl Trainer {
                 if !self.grow_pairs()? {
                     break;
                 }
-                self.write(views, options);
+                self.write(views, options, &[]);
             }
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
@@ -233,7 +282,12 @@ impl Trainer {
                 let padded: Vec<[f32; 4]> =
                     gradient.iter().map(|&[r, g, b]| [r, g, b, 0.0]).collect();
                 self.buffers.view.asked.upload(cast_slice(&padded))?;
-                self.write_block(views, number, options, true);
+                // Its weight is in what the host worked out.
+                let asked = Asked {
+                    weight: 1.0,
+                    ..Asked::default()
+                };
+                self.write_block(views, number, options, asked);
             }
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
@@ -257,7 +311,7 @@ impl Trainer {
         options: &StepOptions,
     ) -> Result<Vec<Vec<[f32; 3]>>> {
         loop {
-            self.write(views, options);
+            self.write(views, options, &[]);
             let mut images = Vec::new();
             for (number, view) in views.iter().enumerate() {
                 self.gpu.run("an image", |commands| {
@@ -370,32 +424,63 @@ fn check(gpu: &Gpu, topology: &Topology, size: [u32; 2]) -> Result<()> {
 
 impl Trainer {
     /// Writes the host's inputs for some views.
-    fn write(&mut self, views: &[TrainingView], options: &StepOptions) {
+    fn write(
+        &mut self,
+        views: &[TrainingView],
+        options: &StepOptions,
+        parts: &[Option<AskedPart>],
+    ) {
         let mut joints: Vec<f32> = Vec::new();
         let mut inputs: Vec<f32> = Vec::new();
-        let mut pictures: Vec<[u8; 4]> = Vec::new();
-        let mut behind: Vec<[u8; 4]> = Vec::new();
         for (number, view) in views.iter().enumerate() {
             joints.extend(view.joints.iter().flat_map(rows));
             inputs.extend(view.input.iter().map(|&v| v as f32));
-            pictures.extend(&view.picture.pixels);
-            behind.extend(&view.picture.behind);
-            self.write_block(views, number, options, false);
+            let asked = self.asked(view, parts.get(number).copied().flatten());
+            self.write_block(views, number, options, asked);
         }
+        let HostInputs {
+            pictures, behind, ..
+        } = &mut self.buffers.inputs;
+        let bytes = 4 * self.batch.pixels();
+        let places = pictures.mapped().par_chunks_mut(bytes);
+        let places = places.zip(behind.mapped().par_chunks_mut(bytes));
+        places.zip(views).for_each(|((pixels, behind), view)| {
+            pixels.copy_from_slice(cast_slice(&view.picture.pixels));
+            behind.copy_from_slice(cast_slice(&view.picture.behind));
+        });
         put(&mut self.buffers.inputs.joints, cast_slice(&joints));
         put(&mut self.buffers.inputs.inputs, cast_slice(&inputs));
-        put(&mut self.buffers.inputs.pictures, cast_slice(&pictures));
-        put(&mut self.buffers.inputs.behind, cast_slice(&behind));
         self.buffers.view.status.mapped().fill(0);
     }
 
-    /// Writes the blocks of a view's bands. `has_image_loss`: see [`ViewBand`].
+    /// What a loss of a part of a view asks.
+    fn asked(&self, view: &TrainingView, part: Option<AskedPart>) -> Asked {
+        let (Some(part), Some(loss)) = (part, &self.image_loss) else {
+            return Asked::default();
+        };
+        let size = loss.size.map(|side| side as u32);
+        let inside = |axis: usize| part.first[axis] + size[axis] <= view.picture.size[axis];
+        assert!(
+            inside(0) && inside(1),
+            "{part:?} of {:?}",
+            view.picture.size
+        );
+        Asked {
+            weight: part.weight,
+            window: WindowBlock {
+                first: part.first,
+                size,
+            },
+        }
+    }
+
+    /// Writes the blocks of a view's bands.
     fn write_block(
         &mut self,
         views: &[TrainingView],
         number: usize,
         options: &StepOptions,
-        has_image_loss: bool,
+        asked: Asked,
     ) {
         let updates = Updates {
             main: self.steps + 1,
@@ -412,7 +497,8 @@ impl Trainer {
                     view: number,
                     band,
                     views: views.len(),
-                    has_image_loss,
+                    image_loss: asked.weight,
+                    window: asked.window,
                 },
                 updates,
             );
@@ -423,11 +509,20 @@ impl Trainer {
     }
 
     /// From poses to the derivative of the Gaussians, of the first `views` views.
-    fn record_views(&self, commands: Recording, views: usize, joints: bool) {
+    fn record_views(
+        &self,
+        commands: Recording,
+        views: usize,
+        joints: bool,
+        parts: &[Option<AskedPart>],
+    ) {
         self.record_pose(commands, views);
         for number in 0..views {
             self.record_forward(commands, number);
             commands.barrier(Scope::KERNEL, Scope::KERNEL);
+            if let (Some(Some(_)), Some(loss)) = (parts.get(number), &self.image_loss) {
+                loss.record(commands, offset_of(number, 0), self.batch.pixels());
+            }
             self.record_backward(commands, number, joints);
         }
     }
