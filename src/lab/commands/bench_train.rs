@@ -145,6 +145,9 @@ impl<'a> TrainingBench<'a> {
         let topology = Topology::new(avatar);
         let rows = CorrectiveRows::all(avatar.gaussians.len());
         let layout = ParameterLayout::new(&topology, &rows);
+        let mut parameters = Parameters::of(avatar, &layout);
+        // The avatar's own rows are of other Gaussians where all have one.
+        parameters.bases.fill(0.0);
         let options = PerceptualOptions {
             window: args.window,
             ..recipe.perceptual.clone()
@@ -152,7 +155,7 @@ impl<'a> TrainingBench<'a> {
         // Any weights take as long.
         let network = Perceptual::random(Network::Alex, 1);
         Self {
-            start: TrainerState::new(&layout, Parameters::of(avatar, &layout)),
+            start: TrainerState::new(&layout, parameters),
             topology,
             rows,
             views: views(avatar, args),
