@@ -75,7 +75,7 @@ impl Renderer {
     ///
     /// # Errors
     /// When the avatar's arrays contradict each other, or the device has too little memory or fails.
-    /// Then nothing has changed.
+    /// Then it is not held.
     pub fn add_avatar(&mut self, avatar: &Avatar) -> Result<AvatarId> {
         self.0.add_avatar(&vulkan::PreparedAvatar::new(avatar)?)
     }

@@ -1,7 +1,10 @@
 //! The perceptual loss on the device: each kernel against its twin on the CPU, and the loss of
 //! whole networks inside a step.
 
-use crate::common::{self, Random, Sizes, gpu};
+use crate::{
+    common::{self, Random, Sizes, gpu},
+    train,
+};
 use effigy_core::scene::{Camera, Posed};
 use effigy_perceptual::convolution::Convolution;
 use effigy_perceptual::maps::Maps;
@@ -9,7 +12,6 @@ use effigy_perceptual::network::{ConvolutionShape, NetworkStep};
 use effigy_perceptual::{Network, Perceptual, blur, head, pool, thin};
 use effigy_render::vulkan::Gpu;
 use effigy_render::vulkan::compute::{Buffer, BufferUsageFlags};
-use effigy_train::adam::{Adam, Rates};
 use effigy_train::gpu::image_loss::convolution::DeviceConvolution;
 use effigy_train::gpu::image_loss::operation::{DeviceMaps, DistanceMemory, Operation};
 use effigy_train::gpu::{AskedPart, ImageLossMemory, StepOptions, Trainer, TrainerState};
@@ -341,15 +343,8 @@ const STILL: StepOptions = StepOptions {
         scale_above: 0.01,
         correctives: [0.0; 3],
     },
-    correctives: true,
     joints: false,
-    rates: Rates::NONE,
-    adam: Adam {
-        beta_1: 0.0,
-        beta_2: 0.999,
-        epsilon: 1e-15,
-        weight_decay: 0.0,
-    },
+    ..train::STILL
 };
 
 impl Scene {
@@ -471,19 +466,8 @@ fn steps_with_parts_give_equal_bits() {
     let scene = Scene::new();
     let network = Perceptual::random(Network::LpipsAlex, 24);
     let learning = StepOptions {
-        rates: Rates {
-            rotation: 2e-3,
-            log_scale: 5e-3,
-            opacity: 5e-3,
-            color: 5e-3,
-            node_offset: 3e-4,
-            node_basis: 3e-5,
-            network: 5e-4,
-            bases: [1e-3; 3],
-        },
-        adam: Adam::DEFAULT,
-        weights: LossWeights::PAPER,
-        ..STILL
+        joints: false,
+        ..train::LEARNING
     };
     let run = |parts: &[Option<AskedPart>]| {
         let mut trainer = scene.trainer();

@@ -142,7 +142,7 @@ fn noise(random: &mut Random) -> [u8; 4] {
 }
 
 /// Nothing is learned, and the first moment is the derivative.
-const STILL: StepOptions = StepOptions {
+pub const STILL: StepOptions = StepOptions {
     weights: LossWeights {
         l1: 1.0,
         scale: 0.5,
@@ -161,7 +161,7 @@ const STILL: StepOptions = StepOptions {
 };
 
 /// Rates at which the small avatar of the tests learns.
-const LEARNING: StepOptions = StepOptions {
+pub const LEARNING: StepOptions = StepOptions {
     rates: Rates {
         rotation: 2e-3,
         log_scale: 5e-3,

@@ -244,6 +244,24 @@ fn people_come_and_go(raster: Raster) {
         );
     }
     assert_eq!(renderer.raster().image().raw(), image);
+    // Everybody goes, and somebody larger comes.
+    let mut renderer = Renderer::new(&gpu, &cast[3], options).unwrap();
+    let first = Person {
+        avatar: AvatarId::FIRST,
+        posed: &poses[3],
+    };
+    draw(&mut renderer, &[first], &camera);
+    assert!(renderer.remove_avatar(AvatarId::FIRST).unwrap());
+    draw(&mut renderer, &[], &camera);
+    let (_, avatar) = add(&mut renderer, 1);
+    let person = Person {
+        avatar,
+        posed: &poses[1],
+    };
+    let alone = draw(&mut renderer, &[person], &camera);
+    let expected = expected(&cast[1..2], &poses[1..2], &camera, false);
+    let error = error::between(&alone, &expected).covered;
+    assert!(error.pixels > 500 && error.psnr_db >= 47.0, "{error:?}");
 }
 
 tests! {

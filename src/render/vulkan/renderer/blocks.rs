@@ -9,7 +9,7 @@ use crate::vulkan::{
     sort::Sort,
 };
 use ash::vk;
-use bytemuck::{bytes_of, from_bytes_mut};
+use bytemuck::from_bytes_mut;
 use effigy_core::{
     frame::{
         ByAvatar, RendererOptions, Skinning,
@@ -44,8 +44,8 @@ pub(super) struct BlockSources<'a> {
 }
 
 impl BlockRing {
-    /// For so many avatars a frame. `constants`: what no frame changes.
-    pub fn new(gpu: &Arc<Gpu>, instances: usize, constants: &FrameBlock) -> Result<Self> {
+    /// For so many people a frame.
+    pub fn new(gpu: &Arc<Gpu>, instances: usize) -> Result<Self> {
         // One more for an image without avatars.
         let count = FRAMES_IN_FLIGHT * (instances + 1);
         let mut buffer = Buffer::new(
@@ -55,10 +55,7 @@ impl BlockRing {
             vk::BufferUsageFlags::UNIFORM_BUFFER,
             MemoryLocation::CpuToGpu,
         )?;
-        for block in 0..count {
-            buffer.mapped()[block * STRIDE..][..size_of::<FrameBlock>()]
-                .copy_from_slice(bytes_of(constants));
-        }
+        buffer.mapped().fill(0);
         Ok(Self {
             buffer,
             instances,

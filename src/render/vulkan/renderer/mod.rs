@@ -182,7 +182,7 @@ impl Renderer {
         let began = Instant::now();
         let capacity = Capacity::new(&options, &traits.bounds)?;
         let sizes = SharedSizes::new(std::iter::once(&*model.own().constants), capacity);
-        let shared = SharedStages::new(gpu, &options, sizes, &model.own().constants, None)?;
+        let shared = SharedStages::new(gpu, &options, sizes, None)?;
         let kernels = kernels(gpu, &traits, &model, &options, &shared)?;
         let renderer = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
@@ -215,7 +215,7 @@ impl Renderer {
     /// Adding one twice takes its memory twice: people of one avatar share it.
     ///
     /// # Errors
-    /// When the device fails, or its memory does not suffice. Then nothing has changed.
+    /// When the device fails, or its memory does not suffice. Then it is not held.
     pub fn add_avatar(&mut self, prepared: &PreparedAvatar) -> Result<AvatarId> {
         self.finish()?;
         let traits = traits_of(prepared, &self.options);
@@ -249,18 +249,8 @@ impl Renderer {
             return Ok(());
         }
         let began = Instant::now();
-        let Some(any) = self.avatars.values().next() else {
-            unreachable!("somebody needs the room")
-        };
         let sizes = sizes.union(self.shared.sizes);
-        let constants = &any.model.own().constants;
-        let shared = SharedStages::new(
-            &self.gpu,
-            &self.options,
-            sizes,
-            constants,
-            Some(&self.shared),
-        )?;
+        let shared = SharedStages::new(&self.gpu, &self.options, sizes, Some(&self.shared))?;
         let bind = |held: &HeldAvatar| {
             kernels(&self.gpu, &held.traits, &held.model, &self.options, &shared)
         };
@@ -290,7 +280,14 @@ impl Renderer {
             return Ok(false);
         };
         let has_sh = held.traits.has_sh || traits.has_sh;
-        if has_sh || Capacity::new(&self.options, &traits.bounds)? != self.shared.sizes.capacity {
+        let capacity = Capacity::new(&self.options, &traits.bounds)?;
+        let constants = std::iter::once(&*prepared.packed.sets[0].constants);
+        if has_sh
+            || !self
+                .shared
+                .sizes
+                .hold(&SharedSizes::new(constants, capacity))
+        {
             return Ok(false);
         }
         if !held.model.replace(&self.gpu, avatar, &prepared.packed)? {

@@ -13,10 +13,7 @@ use crate::vulkan::{
 };
 use ash::vk;
 use bytemuck::bytes_of;
-use effigy_core::{
-    frame::{DEPTH_KEYS, RendererOptions, block::SharedSizes, resource::Resource},
-    layout::FrameBlock,
-};
+use effigy_core::frame::{DEPTH_KEYS, RendererOptions, block::SharedSizes, resource::Resource};
 use std::sync::Arc;
 
 /// Stages and buffers that all people share.
@@ -35,20 +32,19 @@ pub(super) struct SharedStages {
 }
 
 impl SharedStages {
-    /// For frames of these sizes. `constants`: an avatar's. `before`: the stages that these come in
-    /// place of, whose image stays.
+    /// For frames of these sizes. `before`: the stages that these come in place of, whose image
+    /// stays.
     pub fn new(
         gpu: &Arc<Gpu>,
         options: &RendererOptions,
         sizes: SharedSizes,
-        constants: &FrameBlock,
         before: Option<&Self>,
     ) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
         // The last vector stays zero.
         let zeros = vec![0; 16 * sizes.pose_layout().total() as usize];
         let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
-        let blocks = BlockRing::new(gpu, options.instances, constants)?;
+        let blocks = BlockRing::new(gpu, options.instances)?;
         let control = Buffer::with_data(
             gpu,
             "control",
