@@ -28,8 +28,7 @@ pub struct GaussianSet {
 }
 
 impl GaussianSet {
-    /// Those of `avatar`, or of one of its levels as an avatar.
-    fn new(gpu: &Arc<Gpu>, avatar: &Avatar, packed: &PackedSet) -> Result<Self> {
+    fn new(gpu: &Arc<Gpu>, packed: &PackedSet, coefficients: Option<Coefficients>) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
         Ok(Self {
             gaussians: Buffer::with_data(
@@ -39,7 +38,7 @@ impl GaussianSet {
                 storage | vk::BufferUsageFlags::TRANSFER_SRC,
             )?,
             rows: Buffer::with_data(gpu, "rows", cast_slice(&packed.rows), storage)?,
-            coefficients: Coefficients::new(gpu, avatar)?,
+            coefficients,
             constants: packed.constants.clone(),
         })
     }
@@ -83,9 +82,14 @@ impl Model {
         let [own, levels @ ..] = &packed.sets[..] else {
             unreachable!("an avatar is a set of its own");
         };
-        let mut sets = vec![GaussianSet::new(gpu, avatar, own)?];
+        let mut sets = vec![GaussianSet::new(gpu, own, Coefficients::new(gpu, avatar)?)?];
         for (level, set) in avatar.levels.iter().zip(levels) {
-            sets.push(GaussianSet::new(gpu, &avatar.at_level(level), set)?);
+            // A level as an avatar is a copy, which only harmonics need.
+            let coefficients = match avatar.sh {
+                Some(_) => Coefficients::new(gpu, &avatar.at_level(level))?,
+                None => None,
+            };
+            sets.push(GaussianSet::new(gpu, set, coefficients)?);
         }
         Ok(Self {
             networks: buffer("networks", &packed.networks)?,
