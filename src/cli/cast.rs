@@ -12,7 +12,10 @@ use effigy_core::{
 use effigy_measure::in_rows;
 use glam::{DAffine3, DQuat, DVec3};
 use serde::Deserialize;
-use std::path::{Path, PathBuf};
+use std::{
+    path::{Path, PathBuf},
+    rc::Rc,
+};
 
 /// What a scene file's name ends with.
 const ENDING: &str = ".scene.json";
@@ -26,7 +29,8 @@ const SCALES: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 struct Member {
     /// Index of the avatar.
     avatar: usize,
-    player: Player,
+    /// Copies share one.
+    player: Rc<Player>,
     /// Where in the clip the scene begins for them, seconds.
     start: f64,
     /// Whether the clip begins again where it ends.
@@ -125,6 +129,7 @@ impl Cast {
     /// Copies of an avatar in a row or several, their times spread over the clip.
     fn copies(avatar: Avatar, player: Player, count: usize) -> Self {
         let duration = player.clip().duration();
+        let player = Rc::new(player);
         let member = |number: usize| Member {
             avatar: 0,
             player: player.clone(),
@@ -201,7 +206,7 @@ impl Cast {
         };
         Ok(Member {
             avatar: at,
-            player: player.context("there is no clip")?,
+            player: player.context("there is no clip")?.into(),
             start: person.start,
             repeats: true,
             placed: person.placed(),
