@@ -25,8 +25,8 @@ use std::{
 pub struct Source {
     /// Avatar to draw: an .avatar file, the paper's .npz, mmlphuman's checkpoint (.pth, to which one
     /// is fitted first), or splats, which stand still: .ply, .splat, .spz, .sog, .ksplat, .glb or
-    /// .gltf. Motion of any body moves the demo. `render` takes scenes of several people, .scene.json,
-    /// too [default: the built-in demo]
+    /// .gltf. Motion of any body moves the demo. `render` takes scenes of several people too,
+    /// .scene.json [default: the built-in demo]
     pub avatar: Option<PathBuf>,
     /// Clip that moves the avatar: a .motion file, or motion of any body (.bvh, .fbx, glTF, VRM,
     /// SMPL's parameters, the paper's _poses.json); repeat for several [default: the poses beside

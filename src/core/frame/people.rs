@@ -6,8 +6,8 @@ use crate::{
     scene::{AvatarBounds, PartDependencies, Posed},
 };
 
-/// An avatar that a renderer holds. It stays the same for as long as the renderer holds that avatar,
-/// and is never another's.
+/// An avatar that a renderer holds. It stays the same for as long as the renderer holds that
+/// avatar, and is never another's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct AvatarId {
     slot: u32,

@@ -9,8 +9,8 @@ use crate::frame::atlas::{AtlasSlot, AvatarFootprint, LevelInput, arrange};
 use crate::scene::{AvatarBounds, Camera, FrameImage, Supersampling, supersampling};
 use glam::UVec2;
 
-/// The image of people, with `supersampling` and, if given, another low-pass than their avatars': as
-/// a renderer draws its first frame. Who is small is drawn from the avatar's levels, and averaged.
+/// The image of people, with `supersampling` and, if given, another low-pass than their avatars':
+/// as a renderer draws its first frame. Who is small is drawn from the avatar's levels, and averaged.
 pub fn render_shown(
     people: &[Person],
     camera: &Camera,
@@ -99,8 +99,8 @@ fn slot_camera(camera: &Camera, slot: &AtlasSlot) -> Camera {
     alone.camera(camera, alone.rect().max.into())
 }
 
-/// What a slot adds to the image of a camera: splats, drawn as large as its factor says, and averaged
-/// over each pixel's area.
+/// What a slot adds to the image of a camera: splats, drawn as large as its factor says, and
+/// averaged over each pixel's area.
 fn slot_image(splats: &[Result<Splat, Culled>], camera: &Camera, slot: &AtlasSlot) -> FrameImage {
     let drawn = raster(splats, &order(splats), &slot_camera(camera, slot)).to_image();
     let average = drawn.resampled(slot.factor, slot.around.sides().into());
